@@ -1,0 +1,75 @@
+// renderer.h -- the frame: skin, hair, overlays, into a texture that a window or a file shows.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/render/camera.h"
+#include "core/document.h"
+
+namespace pelage {
+
+enum class Overlay { none, length, density, direction, mask };
+
+struct OverlayLine {  // drawn over everything, with the depth of the skin tested
+    vec3 a{0.0f}, b{0.0f};  // world
+    vec4 color{1.0f};       // display RGB, alpha
+};
+
+struct View {
+    Camera camera;
+    ivec2 size{900, 900};      // pixels
+    Overlay overlay = Overlay::none;
+    bool showSkin = true, showOver = true, showUnder = true;
+    uint segments = 8;         // of a hair, [1, 16]
+    bool cullByDistance = true;  // van Gelder and Wilhelms 1997, 3.3: hairs ~ 1/distance
+    float share = 1.0f;        // upper bound of the share of the hairs that is drawn, (0,1]
+    float budget = 0.0f;       // s per frame; 0 = no bound. With a bound share is lowered to fit
+    int samples = 1;           // frames that the still picture averages, [1, 1024]
+    vec3 background{0.58f, 0.63f, 0.69f};  // linear RGB
+    std::span<const OverlayLine> lines;
+    bool operator==(const View&) const = delete;
+};
+
+struct FrameStats {
+    std::size_t hairsTotal = 0;  // that grow at density 1
+    std::size_t hairsDrawn = 0;  // that were shaped and rasterised in the last sample
+    double seconds = 0.0;        // of the last sample, to the end of the GPU's work
+    int samples = 0;             // averaged in the picture so far
+    bool finished = false;       // nothing will change unless document or view do
+};
+
+// Needs a current OpenGL 4.5 context, the same for its whole life. Throws std::runtime_error that
+// names the missing capability or the shader, file and line.
+class Renderer {
+public:
+    Renderer();
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    // Draws one more sample of the picture. If document and view (apart from lines) are those of
+    // the call before, the sample is averaged in until view.samples are reached, and after that
+    // only the lines are drawn anew, if they changed. Otherwise the picture begins anew.
+    FrameStats draw(const Document& document, const View& view);
+
+    // The finished picture: RGBA8, display-encoded (sRGB), view.size, first row at the bottom.
+    unsigned texture() const;
+    // The same as bytes, first row at the top; 4 bytes a pixel.
+    std::vector<unsigned char> pixels() const;
+
+    // Renderer and version of the driver, for reports.
+    std::string device() const;
+    // GPU memory held for the document, bytes: all of it, and the part that is stored per hair.
+    std::size_t bytes() const;
+    std::size_t bytesPerHair() const;
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace pelage

@@ -1,0 +1,21 @@
+// files.h -- files written so that a reader sees the old content or the new one, never half of it.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pelage {
+
+// Writes beside `path`, fsyncs, renames over it and fsyncs the folder. Keeps the permissions of a
+// file that was there, and follows a symbolic link to what it names. Throws std::runtime_error
+// "path: what: why"; `path` is then as before and nothing is left beside it.
+void writeFileAtomically(const std::string& path, std::span<const std::byte> bytes);
+
+// The whole file. Throws std::runtime_error "path: why" when it cannot be read, is no regular file
+// or is larger than `limit` bytes.
+std::vector<std::byte> readFile(const std::string& path, std::size_t limit);
+
+}  // namespace pelage

@@ -1,0 +1,31 @@
+// groom.h -- what is painted on the skin, and the operations on all of it.
+#pragma once
+
+#include "chunked.h"
+#include "skin.h"
+#include "types.h"
+
+namespace pelage {
+
+struct Groom {
+    Chunked<FurVertex> fur;  // one per skin vertex, in the mesh space of the file
+    Chunked<float> mask;     // one per skin vertex, [0,1]; 1 = no brush changes it. Not saved to glTF
+
+    bool operator==(const Groom&) const = default;  // the same chunks, not merely equal values
+};
+
+// The channels a brush, a flood or an overlay can name.
+enum class Channel { length, density, direction, mask };
+
+// The groom of a mesh that nobody has groomed yet: length 4 % of the bounds' diagonal, density 1,
+// combed towards the tail where the skin has segments, otherwise along gravity; or the fields
+// found in the file, bit for bit.
+Groom initialGroom(const Skin& skin);
+
+// The largest and smallest values of a channel over all vertices (direction: of its magnitude).
+struct FieldRange {
+    float least = 0.0f, greatest = 0.0f;
+};
+FieldRange fieldRange(const Groom& groom, Channel channel);
+
+}  // namespace pelage
