@@ -9,7 +9,7 @@ namespace pelage {
 using glm::vec2, glm::vec3, glm::vec4, glm::mat3, glm::mat4, glm::uvec2, glm::uvec3, glm::ivec2;
 using uint = std::uint32_t;
 
-#include "types.glsl"
+#include "shaders/types.glsl"
 
 inline bool operator==(const FurVertex& a, const FurVertex& b) {
     return a.direction == b.direction && a.furLength == b.furLength && a.density == b.density;

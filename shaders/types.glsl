@@ -77,3 +77,12 @@ struct Strand {        // one hair, ready to be evaluated; world space
     float pad0;
     float pad1;
 };
+
+struct Light {    // what lights the animal
+    vec3 toKey;   // unit, world: towards the key light
+    float key;    // its strength
+    vec3 sky;     // linear RGB from above
+    float pad0;
+    vec3 ground;  // linear RGB from below
+    float pad1;
+};

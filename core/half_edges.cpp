@@ -1,0 +1,126 @@
+// half_edges.cpp -- topology from an OpenMesh half-edge mesh.
+#include "half_edges.h"
+
+#include <algorithm>
+#include <cassert>
+#include <map>
+#include <utility>
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Utils/Noncopyable.hh>
+#pragma GCC diagnostic pop
+
+namespace pelage {
+namespace {
+
+// Connectivity only: positions live in Skin.
+struct Traits : OpenMesh::DefaultTraits {
+    VertexAttributes(OpenMesh::Attributes::None);
+    HalfedgeAttributes(OpenMesh::Attributes::None);
+    EdgeAttributes(OpenMesh::Attributes::None);
+    FaceAttributes(OpenMesh::Attributes::None);
+};
+using Mesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
+
+Mesh::VertexHandle handle(uint v) { return Mesh::VertexHandle(static_cast<int>(v)); }
+
+bool repeatsCorner(uvec3 t) { return t.x == t.y || t.y == t.z || t.z == t.x; }
+
+// OpenMesh reports each face that it refuses on std::cerr; we count them instead.
+class Quiet {
+public:
+    Quiet() { omerr().disable(); }
+    ~Quiet() { omerr().enable(); }
+    Quiet(const Quiet&) = delete;
+    Quiet& operator=(const Quiet&) = delete;
+};
+
+using Edge = std::pair<uint, uint>;  // smaller vertex first
+
+struct EdgeUse {
+    std::size_t forward = 0, backward = 0;  // triangles that run from first to second, and back
+};
+
+void use(std::map<Edge, EdgeUse>& edges, uint from, uint to) {
+    if (from == to) return;
+    EdgeUse& edge = edges[std::minmax(from, to)];
+    ++(from < to ? edge.forward : edge.backward);
+}
+
+// How the triangles outside the half-edge mesh and those inside it share the edges of the former.
+std::map<Edge, EdgeUse> usesOfOutsiders(const Mesh& mesh, std::span<const uvec3> outside) {
+    std::map<Edge, EdgeUse> edges;
+    for (const uvec3 t : outside) {
+        use(edges, t.x, t.y);
+        use(edges, t.y, t.z);
+        use(edges, t.z, t.x);
+    }
+    for (auto& [edge, uses] : edges) {
+        const auto h = mesh.find_halfedge(handle(edge.first), handle(edge.second));
+        if (!h.is_valid()) continue;
+        if (!mesh.is_boundary(h)) ++uses.forward;
+        if (!mesh.is_boundary(mesh.opposite_halfedge_handle(h))) ++uses.backward;
+    }
+    return edges;
+}
+
+void countEdges(Topology& topology, const Mesh& mesh, const std::map<Edge, EdgeUse>& outsiders) {
+    for (const auto e : mesh.edges())
+        if (mesh.is_boundary(e)) ++topology.boundaryEdges;
+    for (const auto& [edge, uses] : outsiders) {
+        const auto h = mesh.find_halfedge(handle(edge.first), handle(edge.second));
+        if (h.is_valid() && mesh.is_boundary(mesh.edge_handle(h))) --topology.boundaryEdges;
+        const std::size_t all = uses.forward + uses.backward;
+        if (all == 1) ++topology.boundaryEdges;
+        if (all >= 3) ++topology.nonManifoldEdges;
+        if (all == 2 && uses.forward != 1) ++topology.flippedEdges;
+    }
+}
+
+}  // namespace
+
+Topology makeTopology(std::size_t vertexCount, std::span<const uvec3> triangles) {
+    const Quiet quiet;
+    Mesh mesh;
+    mesh.reserve(vertexCount, triangles.size() * 3 / 2, triangles.size());
+    for (std::size_t v = 0; v < vertexCount; ++v) mesh.new_vertex();
+
+    Topology topology;
+    std::vector<uvec3> outside;
+    for (const uvec3 t : triangles) {
+        assert(t.x < vertexCount && t.y < vertexCount && t.z < vertexCount);
+        const bool degenerate = repeatsCorner(t);
+        topology.repeatedCorners += degenerate;
+        if (degenerate || !mesh.add_face(handle(t.x), handle(t.y), handle(t.z)).is_valid())
+            outside.push_back(t);
+    }
+    const auto outsiders = usesOfOutsiders(mesh, outside);
+    countEdges(topology, mesh, outsiders);
+
+    // Edges that only triangles outside the half-edge mesh have.
+    std::vector<Edge> extra;
+    for (const auto& [edge, uses] : outsiders)
+        if (!mesh.find_halfedge(handle(edge.first), handle(edge.second)).is_valid()) {
+            extra.push_back(edge);
+            extra.emplace_back(edge.second, edge.first);
+        }
+    std::sort(extra.begin(), extra.end());
+
+    topology.ringFirst.reserve(vertexCount + 1);
+    topology.ring.reserve(triangles.size() * 3 + extra.size());
+    auto next = extra.begin();
+    for (uint v = 0; v < vertexCount; ++v) {
+        topology.ringFirst.push_back(static_cast<uint>(topology.ring.size()));
+        for (const auto neighbour : mesh.vv_range(handle(v)))
+            topology.ring.push_back(static_cast<uint>(neighbour.idx()));
+        for (; next != extra.end() && next->first == v; ++next)
+            topology.ring.push_back(next->second);
+    }
+    topology.ringFirst.push_back(static_cast<uint>(topology.ring.size()));
+    return topology;
+}
+
+}  // namespace pelage

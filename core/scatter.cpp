@@ -1,0 +1,159 @@
+// scatter.cpp -- hair roots, cluster by cluster.
+#include "scatter.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "strand.h"
+
+namespace pelage {
+namespace {
+
+// Streams of random numbers that do not belong to a hair.
+constexpr uint kCountStream = 0x9e3779b9u;
+constexpr uint kRankStream = 0x85ebca6bu;
+
+// Roots that one cluster should hold: large enough that its prefix is a fair sample, small enough
+// that culling by cluster pays.
+constexpr double kRootsPerCluster = 256.0;
+
+// Expected count, rounded up with a probability equal to its fractional part. floor(E + u) in float
+// would be wrong for large E; see the test EvenExactIntegersAreRoundedRight.
+uint randomRound(double expected, float u) {
+    const double whole = std::floor(expected);
+    return static_cast<uint>(whole) + (u < expected - whole ? 1u : 0u);
+}
+
+uint packBary(uint id) {
+    const float b1 = 1.0f - std::sqrt(rand01(id));
+    const float b2 = (1.0f - b1) * rand01(id + 1u);
+    const auto floored = [](float b) { return static_cast<uint>(b * 65535.0f); };
+    return floored(b1) | floored(b2) << 16u;
+}
+
+// Triangles along the Morton curve of the vertices, cut into runs of about equal expected hairs.
+struct Run {
+    std::size_t first, end;  // into the order
+};
+
+std::vector<uint> spatialOrder(const Skin& skin) {
+    std::vector<uint> first(skin.vertices.size() + 1, 0);
+    for (const uvec3 t : skin.triangles) ++first[t.x + 1];
+    for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
+    std::vector<uint> order(skin.triangles.size());
+    for (uint t = 0; t < order.size(); ++t) order[first[skin.triangles[t].x]++] = t;
+    return order;
+}
+
+// A run must not jump across a gap of the curve: a cluster is culled by its ball and normal cone.
+std::vector<Run> cutRuns(const Skin& skin, const std::vector<uint>& order, double hairsPerArea) {
+    std::vector<Run> runs;
+    const float reach = 0.05f * skin.size();
+    std::size_t begin = 0;
+    double expected = 0.0;
+    vec3 start(0.0f), axis(0.0f);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const uvec3 t = skin.triangles[order[i]];
+        const SkinVertex& corner = skin.vertices[t.x];
+        const bool far = glm::distance(corner.position, start) > reach;
+        const bool turned = glm::dot(corner.normal, axis) < 0.3f;
+        if (i > begin && (expected >= kRootsPerCluster || far || turned)) {
+            runs.push_back({begin, i});
+            begin = i;
+        }
+        if (i == begin) {
+            expected = 0.0;
+            start = corner.position;
+            axis = corner.normal;
+        }
+        expected += hairsPerArea * skin.areas[order[i]];
+    }
+    if (begin < order.size()) runs.push_back({begin, order.size()});
+    return runs;
+}
+
+void bound(Cluster& cluster, const Skin& skin, std::span<const uint> triangles) {
+    vec3 lower(INFINITY), upper(-INFINITY), sum(0.0f);
+    for (const uint t : triangles)
+        for (int c = 0; c < 3; ++c) {
+            const SkinVertex& v = skin.vertices[skin.triangles[t][c]];
+            lower = glm::min(lower, v.position);
+            upper = glm::max(upper, v.position);
+            sum += v.normal * skin.areas[t];
+        }
+    cluster.center = 0.5f * (lower + upper);
+    cluster.axis = safeUnit(sum, vec3(0.0f, 1.0f, 0.0f));
+    cluster.spread = 1.0f;
+    for (const uint t : triangles)
+        for (int c = 0; c < 3; ++c) {
+            const SkinVertex& v = skin.vertices[skin.triangles[t][c]];
+            cluster.radius = std::max(cluster.radius, glm::distance(v.position, cluster.center));
+            cluster.spread = std::min(cluster.spread, glm::dot(v.normal, cluster.axis));
+        }
+}
+
+// The hairs of a cluster in the order of a hash of their ids; their ranks are evenly spaced, so
+// that sums over ranks are exact within a cluster, and start at a random phase, so that they are
+// unbiased over clusters however few hairs each holds.
+void orderByRank(std::span<Root> roots, uint seed) {
+    std::sort(roots.begin(), roots.end(), [](const Root& a, const Root& b) {
+        const uint ra = pcg(a.id ^ kRankStream), rb = pcg(b.id ^ kRankStream);
+        return ra != rb ? ra < rb : a.triangle < b.triangle;
+    });
+    if (roots.empty()) return;
+    const float phase = rand01(pcg(roots.front().triangle ^ pcg(seed ^ kRankStream)));
+    const float step = 1.0f / static_cast<float>(roots.size());
+    for (std::size_t i = 0; i < roots.size(); ++i)
+        roots[i].rank = std::min((static_cast<float>(i) + phase) * step, 0.99999994f);
+}
+
+}  // namespace
+
+Roots scatterRoots(const Skin& skin, uint hairs, uint seed) {
+    Roots result;
+    if (!(skin.area > 0.0) || hairs == 0) return result;
+    const double hairsPerArea = hairs / skin.area;
+    const std::vector<uint> order = spatialOrder(skin);
+    const std::vector<Run> runs = cutRuns(skin, order, hairsPerArea);
+
+    const auto countOf = [&](uint t) {
+        const float u = rand01(pcg(t ^ pcg(seed ^ kCountStream)));
+        return randomRound(hairsPerArea * skin.areas[t], u);
+    };
+    result.clusters.resize(runs.size());
+    uint total = 0;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        result.clusters[r].first = total;
+        for (std::size_t i = runs[r].first; i < runs[r].end; ++i) total += countOf(order[i]);
+        result.clusters[r].count = total - result.clusters[r].first;
+    }
+    result.roots.resize(total);
+    tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t r) {
+        Cluster& cluster = result.clusters[r];
+        Root* next = result.roots.data() + cluster.first;
+        for (std::size_t i = runs[r].first; i < runs[r].end; ++i) {
+            const uint t = order[i];
+            const uint count = countOf(t);
+            for (uint k = 0; k < count; ++k) {
+                const uint id = hairId(t, k, seed);
+                *next++ = Root{t, packBary(id), id, 0.0f};
+            }
+        }
+        orderByRank({result.roots.data() + cluster.first, cluster.count}, seed);
+        bound(cluster, skin,
+              std::span(order).subspan(runs[r].first, runs[r].end - runs[r].first));
+    });
+    std::erase_if(result.clusters, [](const Cluster& c) { return c.count == 0; });
+    return result;
+}
+
+float autoWidth(const Skin& skin, uint hairs, float taper) {
+    if (!(skin.area > 0.0) || hairs == 0) return 0.0f;
+    const double hairLength = 0.04 * skin.size();
+    const double density = hairs / skin.area;
+    return static_cast<float>(3.0 / (density * hairLength * (1.0 - 0.5 * taper)));
+}
+
+}  // namespace pelage

@@ -1,0 +1,67 @@
+// strands_out.cpp -- every hair of a document as a polyline.
+#include "strands_out.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <cassert>
+
+#include "strand.h"
+
+namespace pelage {
+
+Curves growCurves(const Document& document, const Roots& roots, uint segments) {
+    assert(segments >= 1 && segments <= 64);
+    const Skin& skin = *document.skin;
+    const Fur& fur = document.fur;
+    const float overWidth = autoWidth(skin, fur.hairs, fur.over.taper);
+    const float underWidth = autoWidth(skin, fur.hairs, fur.under.taper);
+
+    const auto grow = [&](const Root& root) {
+        const uvec3 t = skin.triangles[root.triangle];
+        const auto painted = [&](uint v) { return furToWorld(skin, v, document.groom.fur[v]); };
+        return growStrand(root, skin.vertices[t.x], skin.vertices[t.y], skin.vertices[t.z],
+                          painted(t.x), painted(t.y), painted(t.z), fur,
+                          isOvercoat(root.id, fur.share) ? overWidth : underWidth);
+    };
+
+    // Every hair has its place by its root; those that do not grow are squeezed out afterwards.
+    Curves curves;
+    const uint points = segments + 1;
+    const std::size_t count = roots.roots.size();
+    curves.pointsPerHair = points;
+    curves.points.resize(count * points);
+    curves.rootWidth.resize(count);
+    curves.root.resize(count);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            const Root& root = roots.roots[i];
+            const Strand s = grow(root);
+            const bool grows = s.spineLength > 0.0f && root.rank < s.keep;
+            curves.rootWidth[i] = grows ? s.width : -1.0f;
+            curves.root[i] = static_cast<uint>(i);
+            if (!grows) continue;
+            for (uint p = 0; p < points; ++p)
+                curves.points[i * points + p] =
+                    strandPoint(s, static_cast<float>(p) / static_cast<float>(segments));
+        }
+    });
+
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (curves.rootWidth[i] < 0.0f) continue;
+        if (kept != i) {
+            std::copy_n(curves.points.begin() + static_cast<std::ptrdiff_t>(i * points), points,
+                        curves.points.begin() + static_cast<std::ptrdiff_t>(kept * points));
+            curves.rootWidth[kept] = curves.rootWidth[i];
+            curves.root[kept] = curves.root[i];
+        }
+        ++kept;
+    }
+    curves.points.resize(kept * points);
+    curves.rootWidth.resize(kept);
+    curves.root.resize(kept);
+    return curves;
+}
+
+}  // namespace pelage

@@ -1,0 +1,82 @@
+// fiber.glsl -- the look of a hair: how much light it sends to the eye. The only place that knows it.
+// Same dialect as strand.glsl.
+
+// Integral of the width of a hair of root width 1 from t to the tip.
+float widthAbove(float taper, float t) { return (1.0f - t) - 0.5f * taper * (1.0f - t * t); }
+
+// Optical depth, looking straight down, of the coat above a point at height t of a hair: the
+// width of all hairs above it per unit of area. hairsPerArea counts both coats at the painted
+// density; furLength is the painted length, widths are those at the root.
+float depthInCoat(Fur fur, float hairsPerArea, float furLength, float overWidth, float underWidth,
+                  uint coat, float t) {
+    float overLength = furLength * fur.over.relativeLength;
+    float underLength = furLength * fur.under.relativeLength;
+    float height = t * (coat == 0u ? overLength : underLength);
+    float overT = height < overLength ? height / overLength : 1.0f;
+    float underT = height < underLength ? height / underLength : 1.0f;
+    return hairsPerArea *
+           (fur.share * overLength * overWidth * widthAbove(fur.over.taper, overT) +
+            (1.0f - fur.share) * underLength * underWidth * widthAbove(fur.under.taper, underT));
+}
+
+// Length of the component of l across the unit vector t. Exact also where they are parallel, where
+// sqrt(1 - dot^2) is NaN for one pair in five.
+float sineBetween(vec3 t, vec3 l) {
+    vec3 c = cross(t, l);
+    return sqrt(dot(c, c));
+}
+
+// Share of the light that multiple scattering lets through where straight rays are stopped: the
+// optical depth counts only by this factor.
+const float kStraightShare = 0.45f;
+
+// Light that a coat lets through to optical depth `depth` from direction l over a skin of normal n.
+float keyThroughCoat(float depth, vec3 n, vec3 tangent, vec3 l) {
+    float slant = sineBetween(tangent, l) / max(dot(n, l), 0.05f);
+    return exp(-kStraightShare * depth * min(slant, 20.0f));
+}
+
+// The same from all sides: fit to the integral over the hemisphere, within 0.008.
+float skyThroughCoat(float depth) {
+    float d = kStraightShare * depth;
+    return 1.0f / (1.0f + 1.35f * d + 0.34f * d * d);
+}
+
+// Light from sky and ground on a surface that faces n.
+vec3 skyLight(Light light, vec3 n) {
+    return mix(light.ground, light.sky, 0.5f + 0.5f * n.y);
+}
+
+// Radiance towards toEye (unit) at t of a hair; base is the color of the skin at the root, depth the
+// optical depth of the coat above (depthInCoat). Kajiya and Kay, "Rendering fur with three
+// dimensional textures", 1989, for diffuse and specular; half of the diffuse term uses the shading
+// normal of Van Gelder and Wilhelms 1997, 3.7, so that each hair catches the light differently.
+vec3 fiberRadiance(Strand s, Coat coat, Light light, vec3 base, float t, vec3 toEye, float depth) {
+    vec3 tangent = strandTangent(s, t);
+    vec3 shading = strandNormal(s, tangent);
+    float sinL = sineBetween(tangent, light.toKey);
+    float sinV = sineBetween(tangent, toEye);
+    float cosL = dot(tangent, light.toKey);
+    float cosV = dot(tangent, toEye);
+
+    // The body stands between the key light and hairs on its far side.
+    float lit = min(max(2.5f * dot(s.normal, light.toKey) + 0.5f, 0.0f), 1.0f);
+    float key = light.key * lit * keyThroughCoat(depth, s.normal, tangent, light.toKey);
+    float diffuse = 0.5f * (sinL + max(0.0f, dot(shading, light.toKey)));
+    float specular = pow(max(0.0f, sinL * sinV - cosL * cosV), coat.shininess);
+
+    vec3 color = s.tone * base * mix(coat.rootColor, coat.tipColor, t);
+    vec3 ambient = skyThroughCoat(depth) * skyLight(light, s.normal);
+    return color * (coat.ambient * ambient + (key * diffuse) * coat.diffuse) +
+           (key * specular) * coat.specular;
+}
+
+// Radiance of the bare skin between the hairs: under the entire coat.
+vec3 skinRadiance(Light light, vec3 base, vec3 n, float depth) {
+    float lit = max(0.0f, dot(n, light.toKey));
+    float key = light.key * lit * keyThroughCoat(depth, n, n, light.toKey);
+    // Seen along the normal the slant of an upright hair is 0: skin also lies in the shade of
+    // hairs that lean, so the sky's share bounds the key's.
+    float open = skyThroughCoat(depth);
+    return base * (open * skyLight(light, n) + min(key, light.key * open));
+}
