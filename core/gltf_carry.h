@@ -1,0 +1,27 @@
+// gltf_carry.h -- the glTF of a source as a draft of the file to be written.
+#pragma once
+
+#include "glb_draft.h"
+#include "gltf_carried.h"
+#include "source.h"
+
+namespace pelage {
+
+// The carried JSON value for value, with the buffers merged into one: content and views keep their
+// bytes. What the objects of the others said besides (names, extras) is kept in
+// extras.mergedBuffers of the one. Throws std::runtime_error.
+GlbDraft carriedDraft(const CarriedGltf& carried);
+
+// Pictures that lay in files of their own become views. One of a type that glTF cannot name, or
+// that could not be read, keeps its URI.
+void embedPictures(GlbDraft& draft, const CarriedGltf& carried);
+
+// A glTF of a source that was none: one mesh with one primitive per part. Normals are made unit,
+// as glTF asks; all else is bit for bit. Named segments go to extras.furSegments of the mesh and
+// to _FUR_SEGMENT.
+GlbDraft builtDraft(const Source& source);
+
+// "image/png", "image/jpeg", "image/webp" or "image/ktx2" by the first bytes, else "".
+std::string pictureType(std::span<const std::byte> bytes);
+
+}  // namespace pelage
