@@ -26,15 +26,15 @@ constexpr Parameter kCoatRows[] = {
      "How far the normal that is lit turns about each hair; more hides the flat look.",
      Kind::scalar, 0, 1, offsetof(Coat, normalRandomness)},
     {"directionWeight", "Direction weight", "",
-     "How far hair follows the painted direction; 0 stands along the skin's normal.",
-     Kind::scalar, 0, 1, offsetof(Coat, directionWeight)},
+     "How far hair follows the painted direction; 0 stands along the skin's normal.", Kind::scalar,
+     0, 1, offsetof(Coat, directionWeight)},
     {"relativeLength", "Relative length", "share of length",
      "Length of this coat's hair as a share of the painted length.", Kind::scalar, 0, 1,
      offsetof(Coat, relativeLength)},
-    {"ambient", "Ambient color", "linear RGB", "Reflectance for light from all sides.",
-     Kind::color, 0, 1, offsetof(Coat, ambient)},
-    {"diffuse", "Diffuse color", "linear RGB", "Reflectance for light from the lamp.",
-     Kind::color, 0, 1, offsetof(Coat, diffuse)},
+    {"ambient", "Ambient color", "linear RGB", "Reflectance for light from all sides.", Kind::color,
+     0, 1, offsetof(Coat, ambient)},
+    {"diffuse", "Diffuse color", "linear RGB", "Reflectance for light from the lamp.", Kind::color,
+     0, 1, offsetof(Coat, diffuse)},
     {"specular", "Specular color", "linear RGB", "Color and strength of the highlight.",
      Kind::color, 0, 1, offsetof(Coat, specular)},
     {"shininess", "Shininess", "exponent", "How narrow the highlight is.", Kind::scalar, 1, 256,
@@ -108,9 +108,8 @@ void setValueAt(std::byte* object, const Parameter& row, vec3 value) {
 
 // The row of that name, or null.
 const Parameter* rowNamed(std::span<const Parameter> rows, std::string_view name) {
-    const auto row = std::ranges::find(rows, name, [](const Parameter& r) {
-        return std::string_view(r.name);
-    });
+    const auto row =
+        std::ranges::find(rows, name, [](const Parameter& r) { return std::string_view(r.name); });
     return row == rows.end() ? nullptr : &*row;
 }
 
@@ -140,10 +139,10 @@ vec3 parseValue(const std::string& path, const Parameter& row, std::string_view 
         at = stop;
     }
     if (!valid || at != end) {
-        throw std::runtime_error(path + " is \"" + std::string(text) + "\", which is not " +
-                                 (row.components() == 3 ? "three numbers with commas"
-                                                        : "a number") +
-                                 "; range " + rangeText(row));
+        throw std::runtime_error(
+            path + " is \"" + std::string(text) + "\", which is not " +
+            (row.components() == 3 ? "three numbers with commas" : "a number") + "; range " +
+            rangeText(row));
     }
     checkRange(path, row, value);
     return value;
@@ -267,9 +266,7 @@ void checkRange(const std::string& path, const Parameter& row, vec3 value) {
     for (int i = 0; i < row.components(); ++i) {
         if (value[i] >= row.least && value[i] <= row.greatest) continue;
         std::string text = numberText(value.x);
-        if (row.components() == 3) {
-            text += "," + numberText(value.y) + "," + numberText(value.z);
-        }
+        for (int j = 1; j < row.components(); ++j) text.append(",").append(numberText(value[j]));
         throw std::runtime_error(path + " is " + text + ", range " + rangeText(row));
     }
     if (row.kind == Kind::direction && !unitDirection(value)) {

@@ -17,9 +17,7 @@ constexpr int kVersion = 1;
 using Json = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool,
                                   std::int64_t, std::uint64_t, float>;
 
-[[noreturn]] void fail(const std::string& what) {
-    throw std::runtime_error("extras.fur: " + what);
-}
+[[noreturn]] void fail(const std::string& what) { throw std::runtime_error("extras.fur: " + what); }
 
 template <class Object>
 Json valueToJson(const Object& object, const Parameter& row) {

@@ -40,7 +40,8 @@ TEST(Coat, EveryFieldOfTheStructIsOneRowOfTheTable) {
     EXPECT_EQ(floats * sizeof(float), sizeof(Coat));
     EXPECT_EQ(offsets.size(), coatParameters().size());
     floats = 0;
-    for (const Parameter& row : furParameters()) floats += static_cast<std::size_t>(row.components());
+    for (const Parameter& row : furParameters())
+        floats += static_cast<std::size_t>(row.components());
     EXPECT_EQ((floats + 1) * sizeof(float) + 2 * sizeof(Coat), sizeof(Fur));  // 1 is the padding
 }
 
@@ -280,9 +281,7 @@ TEST(CoatJson, MissingValuesTakeTheDefaultsAndUnknownOnesAreIgnored) {
 }
 
 TEST(CoatJson, WhatIsWrongIsNamedWithItsRange) {
-    const auto message = [](const char* json) {
-        return messageOf([&] { furFromJson(json); });
-    };
+    const auto message = [](const char* json) { return messageOf([&] { furFromJson(json); }); };
     EXPECT_EQ(message(R"({"over":{"stiffness":3}})"),
               "extras.fur: over.stiffness is 3, range 0..1");
     EXPECT_EQ(message(R"({"under":{"shininess":0}})"),
