@@ -25,21 +25,24 @@ struct ToolInfo {
     const char* name;   // in scripts: "length"
     const char* label;  // in the panel: "Length"
     const char* help;   // one sentence
-    bool hasModes;      // add, subtract, set make sense
+    bool hasModes;  // add, subtract, set make sense; comb knows add (along) and subtract (against)
     float least, greatest;  // of Brush::value; length: in multiples of the skin's size
 };
 std::span<const ToolInfo> tools();
 const ToolInfo& toolInfo(Tool tool);
+std::span<const char* const> modeNames();     // in scripts, in the order of Mode
+std::span<const char* const> falloffNames();  // in the order of Falloff
 
 struct Brush {
     Tool tool = Tool::comb;
     Mode mode = Mode::add;
     Falloff falloff = Falloff::smooth;
-    float radius = 0.05f;    // m, world, > 0
-    float strength = 0.5f;   // [0,1]
-    float value = 0.0f;      // for Mode::set: m (length) or [0,1] (density, mask)
-    bool mirrorX = false;    // the same on the other side of the skin's own x = 0 plane (world)
-    bool facingOnly = true;  // skip vertices whose normal points away from the skin under the cursor
+    float radius = 0.05f;   // m, world, > 0; below 1/1000 of the skin's size it counts as that
+    float strength = 0.5f;  // [0,1]
+    float value = 0.0f;     // for Mode::set: m (length) or [0,1] (density, mask)
+    bool mirrorX = false;   // the same on the other side of the skin's own x = 0 plane (world)
+    bool facingOnly =
+        true;  // skip vertices whose normal points away from the skin under the cursor
 };
 
 // Weight of a vertex at `distance` from the middle of a brush, [0,1]; 1 at 0, 0 from radius on.
@@ -53,15 +56,44 @@ public:
 
     // Covers the path from the last point to this one (the first call: the point alone) and writes
     // the touched vertices of `groom`. `normal` is that of the skin under the cursor. Cost grows
-    // with the footprint and not with the mesh. A mirrored brush dabs both sides.
+    // with the footprint and not with the mesh. A mirrored brush dabs both sides. Points that are
+    // not finite or farther than two sizes from the middle of the skin are no part of the path.
     void dab(Groom& groom, vec3 position, vec3 normal);
+
+    const Brush& brush() const { return brush_; }
 
     // The stroke as one script line, without its newline: it can be replayed bit for bit.
     std::string line() const;
 
 private:
-    struct Sample { vec3 position, normal; };
-    // (the rest is the implementation's)
+    struct Sample {
+        vec3 position, normal;
+    };
+    // What the path so far did to a vertex.
+    struct Touch {
+        vec3 combed{0.0f};      // sum of weight x direction of the path, world
+        float coverage = 0.0f;  // [0,1] largest falloff along the path
+    };
+    // A stretch of the path that is short enough for one radius query.
+    struct Piece {
+        Sample from, to;
+        std::vector<Sample> steps;  // of the comb; `normal` holds the direction of the path there
+    };
+
+    float radius() const;
+    static void mirror(Sample& sample);
+    std::vector<Sample> combSteps(vec3 from, vec3 to);
+    void cover(Groom& groom, const Piece& piece);
+    bool touch(const SkinVertex& vertex, const Piece& piece, Touch& touched) const;
+
+    const SkinQuery* query_;
+    Groom before_;
+    Brush brush_;
+    Chunked<Touch> touched_;       // one per skin vertex
+    std::vector<Sample> samples_;  // as they came
+    vec3 lastStep_{0.0f};          // last place at which the comb looked at its direction
+    double sinceStep_ = 0.0;       // m of path since then
+    std::vector<uint> found_;      // kept between dabs for its memory
 };
 
 // The same tool over the entire skin at full coverage; masked vertices keep their values by the
