@@ -50,7 +50,7 @@ std::vector<uint> spatialOrder(const Skin& skin) {
 // A run must not jump across a gap of the curve: a cluster is culled by its ball and normal cone.
 std::vector<Run> cutRuns(const Skin& skin, const std::vector<uint>& order, double hairsPerArea) {
     std::vector<Run> runs;
-    const float reach = 0.05f * skin.size();
+    const float reach = 4.0f * static_cast<float>(std::sqrt(kRootsPerCluster / hairsPerArea));
     std::size_t begin = 0;
     double expected = 0.0;
     vec3 start(0.0f), axis(0.0f);
@@ -58,7 +58,7 @@ std::vector<Run> cutRuns(const Skin& skin, const std::vector<uint>& order, doubl
         const uvec3 t = skin.triangles[order[i]];
         const SkinVertex& corner = skin.vertices[t.x];
         const bool far = glm::distance(corner.position, start) > reach;
-        const bool turned = glm::dot(corner.normal, axis) < 0.3f;
+        const bool turned = glm::dot(corner.normal, axis) < 0.0f;
         if (i > begin && (expected >= kRootsPerCluster || far || turned)) {
             runs.push_back({begin, i});
             begin = i;

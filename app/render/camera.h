@@ -13,6 +13,8 @@ struct Camera {
     float fieldOfView = 0.6f;  // rad, vertical
     bool orthographic = false;
 
+    bool operator==(const Camera&) const = default;
+
     vec3 eye() const;
     vec3 forward() const;  // unit
     vec3 right() const;    // unit

@@ -1,0 +1,27 @@
+// base_colors.h -- the base-color pictures of a source as one array texture.
+#pragma once
+
+#include <vector>
+
+#include "app/render/gl.h"
+#include "core/source.h"
+
+namespace pelage {
+
+struct MaterialData {  // as Material in shaders/frame.glsl
+    vec3 color{1.0f};
+    float layer = -1.0f;
+    vec2 scale{1.0f};
+    vec2 pad{0.0f};
+};
+
+struct BaseColors {
+    gl::Texture texture;                  // RGBA8 sRGB, one layer a picture, repeating; never empty
+    std::vector<MaterialData> materials;  // those of the source, then a white one for "none"
+};
+
+// Pictures are decoded and scaled to a common size (the largest, at most 2048). One that cannot be
+// decoded counts as white; readers warn about it.
+BaseColors makeBaseColors(const Source& source);
+
+}  // namespace pelage

@@ -1,0 +1,48 @@
+// frame_data.h -- the uniform block of shaders/frame.glsl, as C++.
+#pragma once
+
+#include "core/types.h"
+
+namespace pelage {
+
+struct FrameData {
+    mat4 viewProjection{1.0f};
+    vec3 eye{0.0f};
+    float pixelsPerMetre = 0.0f;
+    vec3 forward{0.0f};
+    float perspective = 1.0f;
+    Light light{};
+    vec2 overlayRange{0.0f, 1.0f};
+    uint overlay = 0;
+    uint segments = 8;
+    ivec2 size{0};
+    float overWidth = 0.0f;
+    float underWidth = 0.0f;
+    float hairsPerArea = 0.0f;
+    uint coats = 3;
+    uint textured = 0;
+    uint jobs = 0;
+};
+static_assert(sizeof(FrameData) == 64 + 16 + 16 + 48 + 16 + 16 + 16);
+
+// Where each buffer and texture is bound: the numbers in shaders/*.
+namespace binding {
+enum Uniform : unsigned { frame = 0, fur = 1 };
+enum Storage : unsigned {
+    skinVertices = 0,
+    furVertices = 1,
+    triangles = 2,
+    sourceTriangles = 3,
+    corners = 4,
+    materials = 5,
+    mask = 6,
+    roots = 7,
+    keys = 8,
+    jobs = 9,
+    counters = 10,
+    lines = 11
+};
+enum Texture : unsigned { baseColors = 0, skinDepth = 1 };
+}  // namespace binding
+
+}  // namespace pelage

@@ -1,0 +1,140 @@
+// mirror.cpp -- what differs from the last upload goes to the GPU, nothing else.
+#include "app/render/mirror.h"
+
+#include <algorithm>
+#include <glm/gtc/packing.hpp>
+
+#include "app/render/base_colors.h"
+#include "app/render/frame_data.h"
+
+namespace pelage {
+namespace {
+
+struct CornerData {  // as Corner in shaders/frame.glsl
+    vec2 uv{0.0f};
+    uint color = ~0u;
+    uint skinVertex = 0;
+};
+
+std::vector<uvec4> trianglesWithMaterial(const Skin& skin, uint whiteMaterial) {
+    std::vector<uvec4> triangles(skin.triangles.size());
+    for (const SourcePart& part : skin.source->parts) {
+        const uint material = part.material < 0 ? whiteMaterial : static_cast<uint>(part.material);
+        for (uint t = part.firstTriangle; t < part.firstTriangle + part.triangleCount; ++t)
+            triangles[t] = uvec4(skin.triangles[t], material);
+    }
+    return triangles;
+}
+
+std::vector<CornerData> cornersOf(const Skin& skin) {
+    const Source& source = *skin.source;
+    std::vector<CornerData> corners(source.positions.size());
+    for (std::size_t v = 0; v < corners.size(); ++v) {
+        if (!source.uvs.empty()) corners[v].uv = source.uvs[v];
+        if (!source.colors.empty()) corners[v].color = glm::packUnorm4x8(source.colors[v]);
+        corners[v].skinVertex = skin.weld[v];
+    }
+    return corners;
+}
+
+template <typename T>
+std::span<const T> view(const std::vector<T>& values) {
+    return values;
+}
+
+}  // namespace
+
+void Mirror::uploadSkin(const Skin& skin) {
+    const Source& source = *skin.source;
+    BaseColors colors = makeBaseColors(source);
+    baseColors_ = std::move(colors.texture);
+    materials_.upload(view(colors.materials));
+    skinVertices_.upload(view(skin.vertices));
+    triangles_.upload(
+        view(trianglesWithMaterial(skin, static_cast<uint>(source.materials.size()))));
+    sourceTriangles_.upload(view(source.triangles));
+    corners_.upload(view(cornersOf(skin)));
+    furVertices_.resize(skin.vertices.size() * sizeof(FurVertex));
+    mask_.resize(skin.vertices.size() * sizeof(float));
+    textured_ = !source.uvs.empty() || !source.colors.empty();
+    triangleCount_ = source.triangles.size();
+}
+
+void Mirror::uploadGroom(const Document& document, bool all) {
+    const Chunked<FurVertex>& fur = document.groom.fur;
+    longestOfChunk_.resize(fur.chunkCount());
+    std::vector<FurVertex> inWorld;
+    uint v = 0;
+    for (std::size_t c = 0; c < fur.chunkCount(); ++c) {
+        const auto chunk = fur.chunk(c);
+        const uint first = v;
+        v += static_cast<uint>(chunk.size());
+        if (!all && fur.sharesChunk(groom_.fur, c)) continue;
+        inWorld.clear();
+        longestOfChunk_[c] = 0.0f;
+        for (uint i = 0; i < chunk.size(); ++i) {
+            inWorld.push_back(furToWorld(*document.skin, first + i, chunk[i]));
+            longestOfChunk_[c] = std::max(longestOfChunk_[c], inWorld.back().furLength);
+        }
+        furVertices_.write(first * sizeof(FurVertex), view(inWorld));
+        ++chunksUploaded_;
+    }
+    const Chunked<float>& mask = document.groom.mask;
+    std::size_t at = 0;
+    for (std::size_t c = 0; c < mask.chunkCount(); ++c) {
+        const auto chunk = mask.chunk(c);
+        if (all || !mask.sharesChunk(groom_.mask, c)) {
+            mask_.write(at * sizeof(float), chunk);
+            ++chunksUploaded_;
+        }
+        at += chunk.size();
+    }
+    groom_ = document.groom;
+}
+
+bool Mirror::update(const Document& document) {
+    const bool newSkin = document.skin != skin_;
+    const bool newGroom = newSkin || !(document.groom == groom_);
+    const bool newFur = newSkin || !(document.fur == fur_);
+    chunksUploaded_ = 0;
+    if (newSkin) {
+        uploadSkin(*document.skin);
+        skin_ = document.skin;
+    }
+    if (newGroom) uploadGroom(document, newSkin);
+    if (newSkin || document.fur.hairs != fur_.hairs || document.fur.seed != fur_.seed) {
+        roots_ = scatterRoots(*document.skin, document.fur.hairs, document.fur.seed);
+        rootBuffer_.upload(view(roots_.roots));
+    }
+    if (newFur) {
+        fur_ = document.fur;
+        furBlock_.upload(std::span<const Fur>(&fur_, 1));
+    }
+    return newSkin || newGroom || newFur;
+}
+
+void Mirror::bind() const {
+    skinVertices_.bindStorage(binding::skinVertices);
+    furVertices_.bindStorage(binding::furVertices);
+    triangles_.bindStorage(binding::triangles);
+    sourceTriangles_.bindStorage(binding::sourceTriangles);
+    corners_.bindStorage(binding::corners);
+    materials_.bindStorage(binding::materials);
+    mask_.bindStorage(binding::mask);
+    rootBuffer_.bindStorage(binding::roots);
+    furBlock_.bindUniform(binding::fur);
+    glBindTextureUnit(binding::baseColors, baseColors_.name());
+}
+
+float Mirror::longestHair() const {
+    float longest = 0.0f;
+    for (const float ofChunk : longestOfChunk_) longest = std::max(longest, ofChunk);
+    return longest;
+}
+
+std::size_t Mirror::bytes() const {
+    return skinVertices_.bytes() + furVertices_.bytes() + triangles_.bytes() +
+           sourceTriangles_.bytes() + corners_.bytes() + mask_.bytes() + rootBuffer_.bytes();
+}
+
+}  // namespace pelage

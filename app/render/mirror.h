@@ -1,0 +1,48 @@
+// mirror.h -- the GPU copy of a document. The only owner of its buffers.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "app/render/gl.h"
+#include "core/document.h"
+#include "core/scatter.h"
+
+namespace pelage {
+
+class Mirror {
+public:
+    // Makes the GPU's copy equal to the document. Uploads the skin when it is another one, roots
+    // when their number or seed changed, and of the groom the chunks that are not those uploaded
+    // last. Returns true if anything differed.
+    bool update(const Document& document);
+
+    // Binds every buffer and texture of frame.glsl, the fur block, the mask and the roots.
+    void bind() const;
+
+    const Roots& roots() const { return roots_; }
+    std::size_t sourceTriangleCount() const { return triangleCount_; }
+    const gl::Buffer& indices() const { return sourceTriangles_; }
+    bool textured() const { return textured_; }
+    float longestHair() const;  // m, of all vertices
+    std::size_t chunksUploaded() const { return chunksUploaded_; }  // by the last update
+    std::size_t bytes() const;
+
+private:
+    void uploadSkin(const Skin& skin);
+    void uploadGroom(const Document& document, bool all);
+
+    std::shared_ptr<const Skin> skin_;
+    Groom groom_;
+    Fur fur_{};
+    Roots roots_;
+    bool textured_ = false;
+    std::size_t triangleCount_ = 0, chunksUploaded_ = 0;
+    std::vector<float> longestOfChunk_;
+    gl::Buffer skinVertices_, furVertices_, triangles_, sourceTriangles_, corners_, materials_, mask_,
+        rootBuffer_, furBlock_;
+    gl::Texture baseColors_;
+};
+
+}  // namespace pelage

@@ -1,0 +1,67 @@
+// post_pass.cpp -- from samples in linear light to the picture on screen, and the lines over it.
+#include "app/render/post_pass.h"
+
+#include <vector>
+
+#include "app/render/frame_data.h"
+
+namespace pelage {
+
+PostPass::PostPass()
+    : accumulate_(Program::draw("screen.vert", "accumulate.frag")),
+      display_(Program::draw("screen.vert", "display.frag")),
+      lines_(Program::draw("lines.vert", "lines.frag")),
+      vertexArray_(gl::makeVertexArray()) {}
+
+void PostPass::resize(ivec2 size) {
+    if (size == size_) return;
+    size_ = size;
+    sum_ = gl::makeTexture(size, GL_RGBA32F);
+    picture_ = gl::makeTexture(size, GL_RGBA8);
+    glTextureParameteri(picture_.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    sumTarget_ = gl::makeFramebuffer(sum_);
+    pictureTarget_ = gl::makeFramebuffer(picture_);
+}
+
+void PostPass::accumulate(const gl::Texture& sample, bool first) {
+    glBindFramebuffer(GL_FRAMEBUFFER, sumTarget_.name());
+    glViewport(0, 0, size_.x, size_.y);
+    glBindVertexArray(vertexArray_.name());
+    glBindTextureUnit(0, sample.name());
+    if (!first) {
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+    }
+    accumulate_.use();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_BLEND);
+}
+
+void PostPass::display(int samples, std::span<const OverlayLine> lines, const mat4& viewProjection,
+                       const gl::Texture& skinDepth) {
+    glBindFramebuffer(GL_FRAMEBUFFER, pictureTarget_.name());
+    glViewport(0, 0, size_.x, size_.y);
+    glBindVertexArray(vertexArray_.name());
+    glBindTextureUnit(0, sum_.name());
+    display_.use();
+    glProgramUniform1f(display_.name(), 0, 1.0f / static_cast<float>(samples));
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    if (lines.empty()) return;
+
+    std::vector<vec4> rows;
+    rows.reserve(lines.size() * 4);
+    for (const OverlayLine& line : lines) {
+        rows.insert(rows.end(), {vec4(line.a, 1.0f), line.color, vec4(line.b, 1.0f), line.color});
+    }
+    lineBuffer_.upload(std::span<const vec4>(rows));
+    lineBuffer_.bindStorage(binding::lines);
+    glBindTextureUnit(binding::skinDepth, skinDepth.name());
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    lines_.use();
+    glProgramUniformMatrix4fv(lines_.name(), 0, 1, GL_FALSE, &viewProjection[0].x);
+    glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(2 * lines.size()));
+    glDisable(GL_BLEND);
+}
+
+}  // namespace pelage

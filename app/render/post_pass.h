@@ -1,0 +1,34 @@
+// post_pass.h -- from samples in linear light to the picture on screen, and the lines over it.
+#pragma once
+
+#include <span>
+
+#include "app/render/gl.h"
+#include "app/render/program.h"
+#include "app/render/renderer.h"
+
+namespace pelage {
+
+class PostPass {
+public:
+    PostPass();
+    void resize(ivec2 size);
+    // Adds one sample; the first one of a picture replaces what was there.
+    void accumulate(const gl::Texture& sample, bool first);
+    // The mean of `samples` samples, sRGB-encoded, then the lines, into picture().
+    void display(int samples, std::span<const OverlayLine> lines, const mat4& viewProjection,
+                 const gl::Texture& skinDepth);
+
+    const gl::Texture& picture() const { return picture_; }
+    std::size_t bytes() const { return static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * 20; }
+
+private:
+    ivec2 size_{0};
+    Program accumulate_, display_, lines_;
+    gl::VertexArray vertexArray_;
+    gl::Texture sum_, picture_;
+    gl::Framebuffer sumTarget_, pictureTarget_;
+    gl::Buffer lineBuffer_;
+};
+
+}  // namespace pelage

@@ -1,0 +1,267 @@
+// renderer.cpp -- the frame: mirror, skin, strands, post.
+#include "app/render/renderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "app/render/frame_data.h"
+#include "app/render/mirror.h"
+#include "app/render/post_pass.h"
+#include "app/render/skin_pass.h"
+#include "app/render/strand_pass.h"
+
+namespace pelage {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// What the picture depends on besides the document. Samples are left out: more of them go on with
+// the same picture.
+struct PictureKey {
+    Camera camera;
+    ivec2 size;
+    Overlay overlay;
+    bool showSkin, showOver, showUnder, cullByDistance;
+    uint segments;
+    float share, budget;
+    vec3 background;
+    bool operator==(const PictureKey&) const = default;
+
+    explicit PictureKey(const View& v)
+        : camera(v.camera),
+          size(v.size),
+          overlay(v.overlay),
+          showSkin(v.showSkin),
+          showOver(v.showOver),
+          showUnder(v.showUnder),
+          cullByDistance(v.cullByDistance),
+          segments(v.segments),
+          share(v.share),
+          budget(v.budget),
+          background(v.background) {}
+};
+
+// Sub-pixel offset of a sample, in pixels around the center; the first one is the center itself.
+// Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018.
+vec2 sampleOffset(int sample) {
+    const double n = sample;
+    const auto fraction = [](double x) { return static_cast<float>(x - std::floor(x)) - 0.5f; };
+    return {fraction(0.5 + n * 0.7548776662466927), fraction(0.5 + n * 0.5698402909980532)};
+}
+
+// A key light over the shoulder, so that the animal is lit from wherever it is looked at.
+Light studioLight(const Camera& camera) {
+    Light light;
+    const vec3 toEye(std::sin(camera.yaw), 0.0f, std::cos(camera.yaw));
+    light.toKey = glm::normalize(-0.55f * camera.right() + vec3(0.0f, 0.85f, 0.0f) + 0.6f * toEye);
+    light.key = 1.9f;
+    light.sky = vec3(0.62f, 0.68f, 0.78f);
+    light.ground = vec3(0.26f, 0.23f, 0.20f);
+    return light;
+}
+
+// Predicts how many hairs fit a budget from what the last frames took.
+struct CostModel {
+    double perHair = 1e-6, rest = 0.02;  // s
+
+    void learnStrands(std::size_t hairs, double seconds) {
+        if (hairs > 1000) perHair += 0.5 * (seconds / static_cast<double>(hairs) - perHair);
+    }
+    void learnRest(double seconds) { rest += 0.5 * (seconds - rest); }
+    float share(float budget, std::size_t hairs) const {
+        const double room = std::max(budget - rest, 0.15 * budget);
+        return static_cast<float>(room / (perHair * static_cast<double>(std::max<std::size_t>(hairs, 1))));
+    }
+};
+
+}  // namespace
+
+struct Renderer::Parts {
+    Mirror mirror;
+    SkinPass skinPass;
+    StrandPass strandPass;
+    PostPass postPass;
+    gl::Buffer frameBlock;
+    gl::Texture color, depth;
+    gl::Framebuffer target;
+    ivec2 size{0};
+    std::optional<PictureKey> key;
+    int samples = 0;
+    bool linesShown = false;
+    FrameStats stats;
+    CostModel cost;
+
+    void resize(ivec2 wanted) {
+        if (wanted == size) return;
+        size = wanted;
+        color = gl::makeTexture(size, GL_RGBA16F);
+        depth = gl::makeTexture(size, GL_DEPTH_COMPONENT32F);
+        target = gl::makeFramebuffer(color, &depth);
+        postPass.resize(size);
+        samples = 0;
+    }
+
+    FrameData frameData(const Document& document, const View& view, int sample) const;
+    void drawSkin(const FrameData& frame, const View& view);
+    void drawStrands(const Document& document, const View& view, const FrameData& frame);
+    mat4 viewProjection(const Document& document, const View& view) const;
+};
+
+mat4 Renderer::Parts::viewProjection(const Document& document, const View& view) const {
+    const float radius = 0.5f * document.skin->size() + mirror.longestHair();
+    const float aspect = static_cast<float>(view.size.x) / static_cast<float>(view.size.y);
+    return view.camera.projection(aspect, document.skin->center(), radius) * view.camera.view();
+}
+
+FrameData Renderer::Parts::frameData(const Document& document, const View& view, int sample) const {
+    FrameData frame;
+    const Camera& camera = view.camera;
+    const vec2 offset = 2.0f * sampleOffset(sample) / vec2(view.size);
+    mat4 shift(1.0f);
+    shift[3] = vec4(offset, 0.0f, 1.0f);
+    frame.viewProjection = shift * viewProjection(document, view);
+    frame.eye = camera.eye();
+    frame.forward = camera.forward();
+    frame.perspective = camera.orthographic ? 0.0f : 1.0f;
+    const float halfHeight =
+        std::tan(0.5f * camera.fieldOfView) * (camera.orthographic ? camera.distance : 1.0f);
+    frame.pixelsPerMetre = 0.5f * static_cast<float>(view.size.y) / halfHeight;
+    frame.light = studioLight(camera);
+    const bool unit = view.overlay == Overlay::density || view.overlay == Overlay::mask;
+    frame.overlayRange = vec2(0.0f, unit ? 1.0f : std::max(mirror.longestHair(), 1e-12f));
+    frame.overlay = static_cast<uint>(view.overlay);
+    frame.segments = std::clamp(view.segments, 1u, 16u);
+    frame.size = view.size;
+    const Fur& fur = document.fur;
+    const auto width = [&](const Coat& coat) {
+        return coat.width > 0.0f ? coat.width : autoWidth(*document.skin, fur.hairs, coat.taper);
+    };
+    frame.overWidth = width(fur.over);
+    frame.underWidth = width(fur.under);
+    frame.hairsPerArea = document.skin->area > 0.0
+                             ? static_cast<float>(fur.hairs / document.skin->area)
+                             : 0.0f;
+    frame.coats = (view.showOver ? 1u : 0u) | (view.showUnder ? 2u : 0u);
+    frame.textured = mirror.textured() ? 1u : 0u;
+    return frame;
+}
+
+void Renderer::Parts::drawSkin(const FrameData& frame, const View& view) {
+    frameBlock.upload(std::span<const FrameData>(&frame, 1));
+    mirror.bind();
+    frameBlock.bindUniform(binding::frame);
+    glBindFramebuffer(GL_FRAMEBUFFER, target.name());
+    glViewport(0, 0, size.x, size.y);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_SCISSOR_TEST);
+    const float one = 1.0f;
+    const vec4 background(view.background, 1.0f);
+    glClearBufferfv(GL_COLOR, 0, &background.x);
+    glClearBufferfv(GL_DEPTH, 0, &one);
+    if (view.showSkin) skinPass.draw(mirror);
+}
+
+void Renderer::Parts::drawStrands(const Document& document, const View& view,
+                                  const FrameData& frame) {
+    const Fur& fur = document.fur;
+    const float meanWidth = fur.share * frame.overWidth + (1.0f - fur.share) * frame.underWidth;
+    float share = std::clamp(view.share, 0.0f, 1.0f);
+    const auto plan = [&](float wanted) {
+        return planStrands(mirror.roots(), frame, meanWidth, mirror.longestHair(), wanted,
+                           view.cullByDistance);
+    };
+    StrandPlan strands = plan(share);
+    if (view.budget > 0.0f) {
+        const float fitting = cost.share(view.budget, strands.hairs);
+        if (fitting < 1.0f) strands = plan(share * fitting);
+    }
+    FrameData withJobs = frame;
+    withJobs.jobs = static_cast<uint>(strands.jobs.size());
+    frameBlock.upload(std::span<const FrameData>(&withJobs, 1));
+    const auto start = Clock::now();
+    strandPass.draw(mirror, withJobs, strands, frameBlock, color, depth);
+    if (view.budget > 0.0f) {
+        glFinish();
+        cost.learnStrands(strands.hairs, secondsSince(start));
+    }
+}
+
+Renderer::Renderer() {
+    if (epoxy_gl_version() < 45)
+        throw std::runtime_error("OpenGL 4.5 is needed, the driver offers " +
+                                 std::string(reinterpret_cast<const char*>(glGetString(GL_VERSION))));
+    parts_ = std::make_unique<Parts>();
+}
+
+Renderer::~Renderer() = default;
+
+FrameStats Renderer::draw(const Document& document, const View& view) {
+    if (view.size.x < 1 || view.size.y < 1)
+        throw std::runtime_error("a picture of " + std::to_string(view.size.x) + " x " +
+                                 std::to_string(view.size.y) + " pixels cannot be drawn");
+    Parts& p = *parts_;
+    const auto start = Clock::now();
+    const bool changed = p.mirror.update(document);
+    const PictureKey key(view);
+    if (changed || !p.key || !(*p.key == key)) p.samples = 0;
+    p.key = key;
+    p.resize(view.size);
+
+    const int wanted = std::clamp(view.samples, 1, 1024);
+    if (p.samples < wanted) {
+        const FrameData frame = p.frameData(document, view, p.samples);
+        p.drawSkin(frame, view);
+        if (view.budget > 0.0f) {
+            glFinish();
+            p.cost.learnRest(secondsSince(start));
+        }
+        p.drawStrands(document, view, frame);
+        p.postPass.accumulate(p.color, p.samples == 0);
+        ++p.samples;
+        p.postPass.display(p.samples, view.lines, p.viewProjection(document, view), p.depth);
+        glFinish();
+        p.stats.seconds = secondsSince(start);
+        p.stats.hairsTotal = p.mirror.roots().roots.size();
+        p.stats.hairsDrawn = p.strandPass.hairsDrawn();
+        p.stats.samples = p.samples;
+    } else if (!view.lines.empty() || p.linesShown) {
+        p.postPass.display(p.samples, view.lines, p.viewProjection(document, view), p.depth);
+    }
+    p.linesShown = !view.lines.empty();
+    p.stats.finished = p.samples >= wanted;
+    return p.stats;
+}
+
+unsigned Renderer::texture() const { return parts_->postPass.picture().name(); }
+
+std::vector<unsigned char> Renderer::pixels() const {
+    const ivec2 size = parts_->size;
+    const std::size_t row = static_cast<std::size_t>(size.x) * 4;
+    std::vector<unsigned char> upward(row * static_cast<std::size_t>(size.y));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(texture(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(upward.size()),
+                      upward.data());
+    std::vector<unsigned char> downward(upward.size());
+    for (std::size_t y = 0; y < static_cast<std::size_t>(size.y); ++y)
+        std::copy_n(upward.begin() + static_cast<std::ptrdiff_t>(y * row), row,
+                    downward.end() - static_cast<std::ptrdiff_t>((y + 1) * row));
+    return downward;
+}
+
+std::string Renderer::device() const {
+    return std::string(reinterpret_cast<const char*>(glGetString(GL_RENDERER))) + ", " +
+           reinterpret_cast<const char*>(glGetString(GL_VERSION));
+}
+
+std::size_t Renderer::bytes() const { return parts_->mirror.bytes() + parts_->strandPass.bytes(); }
+
+std::size_t Renderer::bytesPerHair() const { return sizeof(Root); }
+
+}  // namespace pelage

@@ -1,0 +1,21 @@
+// skin_pass.cpp -- the skin under the fur.
+#include "app/render/skin_pass.h"
+
+namespace pelage {
+
+SkinPass::SkinPass()
+    : program_(Program::draw("skin.vert", "skin.frag")), vertexArray_(gl::makeVertexArray()) {}
+
+void SkinPass::draw(const Mirror& mirror) const {
+    program_.use();
+    glBindVertexArray(vertexArray_.name());
+    glVertexArrayElementBuffer(vertexArray_.name(), mirror.indices().name());
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * mirror.sourceTriangleCount()),
+                   GL_UNSIGNED_INT, nullptr);
+    glDisable(GL_DEPTH_TEST);
+}
+
+}  // namespace pelage

@@ -1,0 +1,14 @@
+// display.frag -- the mean of the samples, from linear light to sRGB.
+layout(binding = 0) uniform sampler2D sum;
+layout(location = 0) uniform float weight;  // 1 / number of samples
+out vec4 color;
+
+// IEC 61966-2-1.
+vec3 encodeSrgb(vec3 c) {
+    c = clamp(c, 0.0, 1.0);
+    return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c, lessThanEqual(c, vec3(0.0031308)));
+}
+
+void main() {
+    color = vec4(encodeSrgb(weight * texelFetch(sum, ivec2(gl_FragCoord.xy), 0).rgb), 1.0);
+}

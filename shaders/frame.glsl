@@ -1,0 +1,64 @@
+// frame.glsl -- what every pass of a frame reads: the view, the fur, and the buffers of the document.
+#include "types.glsl"
+
+layout(std140, binding = 0) uniform FrameBlock {
+    mat4 viewProjection;   // world to clip, shifted by the sample's sub-pixel offset
+    vec3 eye;              // world
+    float pixelsPerMetre;  // perspective: at distance 1 from the eye; orthographic: everywhere
+    vec3 forward;          // unit
+    float perspective;     // 1, or 0 for orthographic
+    Light light;
+    vec2 overlayRange;     // values shown as the coldest and the hottest color
+    uint overlay;          // enum Overlay
+    uint segments;         // of a hair
+    ivec2 size;            // pixels
+    float overWidth;       // m, width of overcoat hair at the root
+    float underWidth;
+    float hairsPerArea;    // 1/m^2 at density 1
+    uint coats;            // bit 0: draw the overcoat, bit 1: the undercoat
+    uint textured;         // 1 if corners carry texture coordinates or colors
+    uint jobs;             // in this dispatch
+} frame;
+
+layout(std140, binding = 1) uniform FurBlock { Fur fur; };
+
+struct Corner {  // one per source vertex
+    vec2 uv;
+    uint color;  // RGBA8, linear
+    uint skinVertex;
+};
+
+struct Material {
+    vec3 color;   // linear RGB factor
+    float layer;  // of the texture array, -1 = none
+    vec2 scale;   // from unit texture coordinates to the part of the layer in use
+    vec2 pad;
+};
+
+layout(std430, binding = 0) readonly buffer SkinVertices { SkinVertex skinVertices[]; };
+layout(std430, binding = 1) readonly buffer FurVertices { FurVertex furVertices[]; };
+layout(std430, binding = 2) readonly buffer Triangles { uvec4 triangles[]; };  // corners, material
+layout(std430, binding = 3) readonly buffer SourceTriangles { uint sourceTriangles[]; };
+layout(std430, binding = 4) readonly buffer Corners { Corner corners[]; };
+layout(std430, binding = 5) readonly buffer Materials { Material materials[]; };
+layout(binding = 0) uniform sampler2DArray baseColors;
+
+vec3 toEye(vec3 position) {
+    return frame.perspective > 0.0 ? normalize(frame.eye - position) : -frame.forward;
+}
+
+// Base color of a material at a texture coordinate, times the color of the vertex.
+vec3 materialColor(uint material, vec2 uv, vec3 vertexColor) {
+    Material m = materials[material];
+    vec3 color = m.color * vertexColor;
+    if (m.layer >= 0.0) color *= textureLod(baseColors, vec3(uv, m.layer), 0.0).rgb;
+    return color;
+}
+
+// Heat colors from cold (dark blue) over green to hot (red), for the overlays; linear RGB.
+vec3 heat(float value) {
+    float x = clamp((value - frame.overlayRange.x) /
+                    max(frame.overlayRange.y - frame.overlayRange.x, 1e-20), 0.0, 1.0);
+    vec3 c = clamp(vec3(1.5) - abs(4.0 * x - vec3(3.0, 2.0, 1.0)), 0.0, 1.0);
+    return c * c;
+}
