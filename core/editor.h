@@ -31,8 +31,8 @@ public:
     }
 
     // Ends a run of edits as one named step; forgets what could be redone.
-    // Does nothing if the run changed nothing.
-    void commit(std::string label);
+    // Does nothing if the run changed nothing, and says so: true when it made a step.
+    bool commit(std::string label);
 
     // Drops the edits since the last commit.
     void cancel();

@@ -1,7 +1,7 @@
 // journal.h -- committed edits as lines of script in a file, so that a killed editor loses nothing.
 #pragma once
 
-#include <optional>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,12 +12,14 @@ namespace pelage {
 class Journal {
 public:
     // A new, empty journal file in `folder` (made if absent), locked while this object lives.
+    // Sweeps away what killed editors left there without an edit in it. Throws std::runtime_error.
     explicit Journal(std::string folder);
     ~Journal();  // removes the file: the editor ended in good order
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
-    // Throws std::runtime_error when the disk refuses.
+    // Throws std::runtime_error when the disk refuses, and then no part of the line is kept; and
+    // for a line that holds a newline, which only the name of a file can.
     void append(std::string_view line);
     // Begins anew: what came before is saved elsewhere or given up. `line` is the new first line.
     void restart(std::string_view line);
@@ -26,17 +28,24 @@ public:
 private:
     std::string path_;
     int file_ = -1;
+    std::size_t size_ = 0;  // bytes of complete lines
 };
 
-// Where journals live: $XDG_STATE_HOME/pelage or ~/.local/state/pelage.
+// Where journals live: $XDG_STATE_HOME/pelage or ~/.local/state/pelage. Throws std::runtime_error
+// when neither variable names an absolute path.
 std::string journalFolder();
 
-// A journal that an editor left behind without ending in good order (its lock is free).
+// A journal that an editor left behind without ending in good order (its lock is free). Replay it
+// with replayJournal (script.h).
 struct LostWork {
-    std::string path;      // of the journal
-    std::string document;  // what its open line names
-    std::size_t edits = 0;
+    std::string path;       // of the journal
+    std::string document;   // what its first line names: a path, or "animal"
+    std::size_t edits = 0;  // complete lines after the first
 };
+// Journals with at least one edit, in the order of their paths. A folder that is not there has
+// none.
 std::vector<LostWork> lostWork(const std::string& folder);
+// Removes the journal: it was replayed and journalled anew, or nobody wants it.
+void discardLostWork(const LostWork& lost);
 
 }  // namespace pelage

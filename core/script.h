@@ -2,19 +2,21 @@
 //
 // The lines (documented in README.md; `pelage export --script FILE` and the journal use the same):
 //   open PATH
+//   animal [TRIANGLES]                     the built-in animal, as the program opens it
 //   preset NAME
-//   set over.stiffness 0.3
-//   stroke TOOL [add|subtract|set VALUE] radius R strength S [falloff NAME] [mirror] [through]
+//   set over.stiffness 0.3 [NAME VALUE ...]
+//   stroke TOOL [add|subtract|set VALUE] radius R [strength S] [falloff NAME] [mirror] [through]
 //          : px py pz nx ny nz  px py pz nx ny nz ...
-//   flood TOOL [add|subtract|set VALUE] strength S [direction x y z]
+//   flood TOOL [add|subtract|set VALUE] [strength S] [direction x y z]
 //   undo
 //   redo
 //   save PATH
-// Blank lines and lines that begin with # do nothing. Numbers are written so that they read back
-// bit for bit. PATH is the rest of the line.
+// Blank lines and lines that begin with # do nothing. The words after TOOL may come in any order;
+// strength is 0.5 for a stroke and 1 for a flood unless said. Only comb takes a direction, and a
+// flood of it needs one. Undo and redo at the end of the history do nothing. Numbers are written so
+// that they read back bit for bit. PATH and NAME of a preset are the rest of the line.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,16 +31,38 @@ namespace pelage {
 struct Workspace {
     std::unique_ptr<Editor> editor;
     std::unique_ptr<SkinQuery> query;
+    std::optional<Stroke> stroke;  // between press and release
 
     // Replaces the document. The old one stays if this throws.
     void open(Document document);
+
+    // A stroke by hand. Drag and release do nothing without a press.
+    void press(const Brush& brush, vec3 position, vec3 normal);
+    void drag(vec3 position, vec3 normal);
+    // Ends the stroke as one step of history, and returns its script line; empty if it changed
+    // nothing, and then there is no step.
+    std::string release();
+    // Takes the stroke back.
+    void cancelStroke();
 };
 
-// Runs one line; each line that edits ends in one commit. Throws std::runtime_error with what is
-// wrong in the line; the document is then as before it.
+// Runs one line; each line that edits ends in one commit. Drops edits that were not committed, and
+// a stroke in progress. Throws std::runtime_error with what is wrong in the line; the document is
+// then as before it.
 void runLine(Workspace& workspace, std::string_view line);
 
-// Runs a script file; errors are prefixed with "FILE: line N: ".
+// Runs a script file; errors are prefixed with "FILE: line N: ". The lines before stay done.
 void runScript(Workspace& workspace, const std::string& path);
+
+// Runs the journal of an editor that was killed: as a script, but a last line without its newline
+// was never finished and is left out.
+void replayJournal(Workspace& workspace, const std::string& path);
+
+// The line that makes `after` of `before`, bit for bit: "set over.stiffness 0.3 fur.hairs 90000".
+// Empty when they are equal.
+std::string setLine(const Fur& before, const Fur& after);
+
+// The line of a flood. The direction counts for comb only.
+std::string floodLine(const Brush& brush, vec3 direction = vec3(0.0f));
 
 }  // namespace pelage

@@ -1,21 +1,15 @@
 // script_text.cpp -- numbers and brushes as words.
 #include "script_text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <stdexcept>
 
 namespace pelage {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r";
-
-std::string quoted(std::string_view word) {
-    constexpr std::size_t kShown = 60;  // of what may be a file of noise
-    return word.size() <= kShown ? '"' + std::string(word) + '"'
-                                 : '"' + std::string(word.substr(0, kShown)) + "...\"";
-}
 
 std::optional<std::size_t> place(std::span<const char* const> names, std::string_view word) {
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -43,6 +37,12 @@ float numberAfter(Words& words, std::string_view what, float least, float greate
 
 }  // namespace
 
+std::string quoted(std::string_view word) {
+    constexpr std::size_t kShown = 60;  // of what may be a file of noise
+    return word.size() <= kShown ? '"' + std::string(word) + '"'
+                                 : '"' + std::string(word.substr(0, kShown)) + "...\"";
+}
+
 std::string floatText(float number) {
     char text[32];
     const auto end = std::to_chars(text, text + sizeof text, number).ptr;
@@ -57,11 +57,17 @@ std::optional<float> floatFromText(std::string_view text) {
     return number;
 }
 
+std::string toolText(const Brush& brush) {
+    const ToolInfo& tool = toolInfo(brush.tool);
+    std::string text = tool.name;
+    if (tool.hasModes || brush.mode == Mode::subtract)
+        text += std::string(" ") + modeNames()[static_cast<std::size_t>(brush.mode)];
+    if (tool.hasModes && brush.mode == Mode::set) text += ' ' + floatText(brush.value);
+    return text + " strength " + floatText(brush.strength);
+}
+
 std::string brushText(const Brush& brush) {
-    std::string text = toolInfo(brush.tool).name;
-    text += std::string(" ") + modeNames()[static_cast<std::size_t>(brush.mode)];
-    if (brush.mode == Mode::set) text += ' ' + floatText(brush.value);
-    text += " radius " + floatText(brush.radius) + " strength " + floatText(brush.strength);
+    std::string text = toolText(brush) + " radius " + floatText(brush.radius);
     if (brush.falloff != Falloff::smooth)
         text += std::string(" falloff ") + falloffNames()[static_cast<std::size_t>(brush.falloff)];
     if (brush.mirrorX) text += " mirror";
@@ -83,38 +89,47 @@ std::string_view Words::rest() {
     return rest_ = rest_.substr(first, last - first + 1);
 }
 
-BrushWords brushFromWords(Words& words, bool needsRadius) {
+std::string_view Words::path() {
+    const std::size_t first = std::min(rest_.find_first_not_of(kBlanks), rest_.size());
+    rest_.remove_prefix(first);
+    if (rest_.ends_with('\r')) rest_.remove_suffix(1);
+    return rest_;
+}
+
+BrushWords brushFromWords(Words& words, bool ofStroke) {
     constexpr float kMost = 1e6f;  // m; also keeps squares of it finite
     BrushWords found;
     Brush& brush = found.brush;
     brush.tool = toolNamed(words.next()).tool;
+    if (!ofStroke) brush.strength = 1.0f;
     bool radius = false;
     for (std::string_view word = words.next();; word = words.next()) {
         if (const auto mode = place(modeNames(), word)) {
             brush.mode = static_cast<Mode>(*mode);
-            if (brush.mode == Mode::set) brush.value = numberAfter(words, word, 0.0f, kMost);
-        } else if (word == "radius") {
+            const float most = brush.tool == Tool::length ? kMost : 1.0f;
+            if (brush.mode == Mode::set) brush.value = numberAfter(words, word, 0.0f, most);
+        } else if (ofStroke && word == "radius") {
             brush.radius = numberAfter(words, word, 1e-9f, kMost);
             radius = true;
         } else if (word == "strength") {
             brush.strength = numberAfter(words, word, 0.0f, 1.0f);
-        } else if (word == "falloff") {
+        } else if (ofStroke && word == "falloff") {
             const std::string_view name = words.next();
             const auto falloff = place(falloffNames(), name);
             if (!falloff)
                 throw std::runtime_error("no falloff " + quoted(name) +
                                          "; there are smooth, linear, sharp, constant");
             brush.falloff = static_cast<Falloff>(*falloff);
-        } else if (word == "mirror") {
+        } else if (ofStroke && word == "mirror") {
             brush.mirrorX = true;
-        } else if (word == "through") {
+        } else if (ofStroke && word == "through") {
             brush.facingOnly = false;
         } else {
             found.stopped = word;
             break;
         }
     }
-    if (needsRadius && !radius) throw std::runtime_error("the stroke says no radius");
+    if (ofStroke && !radius) throw std::runtime_error("the stroke says no radius");
     return found;
 }
 

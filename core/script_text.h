@@ -15,8 +15,13 @@ std::string floatText(float number);
 // Empty unless all of the text is one finite number.
 std::optional<float> floatFromText(std::string_view text);
 
-// "comb add radius 0.05 strength 0.5 falloff smooth mirror through", without what is at its default
-// and can be left out.
+// A word in quotation marks, for messages; cut off where it is long.
+std::string quoted(std::string_view word);
+
+// "length set 0.03 strength 0.5": what strokes and floods have in common.
+std::string toolText(const Brush& brush);
+// "comb add strength 0.5 radius 0.05 falloff sharp mirror through": the brush of a stroke, without
+// what is at its default and can be left out.
 std::string brushText(const Brush& brush);
 
 // The words of a line, one after the other.
@@ -28,18 +33,20 @@ public:
     std::string_view next();
     // What is left of the line, without blanks around it.
     std::string_view rest();
+    // The same with the blanks at its end, which a file name may have.
+    std::string_view path();
     bool done() { return rest().empty(); }
 
 private:
     std::string_view rest_;
 };
 
-// The brush that the words describe, up to ":" or, for a flood, up to the first word that no brush
-// knows, which is left. Throws std::runtime_error naming the offending word.
 struct BrushWords {
     Brush brush;
-    std::string_view stopped;  // the word that ended it, empty at the end of the line
+    std::string_view stopped;  // the word that no brush knows; empty at the end of the line
 };
-BrushWords brushFromWords(Words& words, bool needsRadius);
+// The brush that the words describe, up to the first word that no brush knows. Without `ofStroke`
+// it is that of a flood, which has no radius. Throws std::runtime_error naming the offending word.
+BrushWords brushFromWords(Words& words, bool ofStroke);
 
 }  // namespace pelage

@@ -1,0 +1,275 @@
+// script.cpp -- the lines of a script: what each means.
+#include "script.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+#include "animal.h"
+#include "coat.h"
+#include "files.h"
+#include "gltf_out.h"
+#include "script_text.h"
+
+namespace pelage {
+namespace {
+
+constexpr std::size_t kLargestScript = std::size_t{1} << 30;  // bytes
+constexpr std::size_t kAnimalTriangles = 100000;              // of "animal" without a number
+
+Editor& editorOf(Workspace& workspace) {
+    if (!workspace.editor) throw std::runtime_error("nothing is open yet");
+    return *workspace.editor;
+}
+
+void expectEnd(Words& words) {
+    if (!words.done())
+        throw std::runtime_error("does not expect " + quoted(words.next()) + " here");
+}
+
+std::string pathOf(Words& words) {
+    const std::string path(words.path());
+    if (path.empty()) throw std::runtime_error("names no file");
+    return path;
+}
+
+// "Comb stroke"
+std::string strokeLabel(const Brush& brush) {
+    return std::string(toolInfo(brush.tool).label) + " stroke";
+}
+
+vec3 pointFromWords(Words& words) {
+    vec3 point(0.0f);
+    for (int i = 0; i < 3; ++i) {
+        const std::string_view word = words.next();
+        const std::optional<float> number = floatFromText(word);
+        if (!number) throw std::runtime_error(quoted(word) + " is no number");
+        point[i] = *number;
+    }
+    return point;
+}
+
+void runOpen(Workspace& workspace, Words& words) {
+    workspace.open(openDocument(readSource(pathOf(words))));
+}
+
+void runAnimal(Workspace& workspace, Words& words) {
+    std::size_t triangles = kAnimalTriangles;
+    if (const std::string_view word = words.next(); !word.empty()) {
+        const std::optional<float> number = floatFromText(word);
+        if (!number || *number < 2000.0f || *number > 2e6f)
+            throw std::runtime_error(quoted(word) +
+                                     " is no number of triangles from 2000 to 2000000");
+        triangles = static_cast<std::size_t>(*number);
+    }
+    expectEnd(words);
+    workspace.open(groomedAnimal(triangles));
+}
+
+void runPreset(Workspace& workspace, Words& words) {
+    const Preset& preset = presetNamed(words.rest());
+    Editor& editor = editorOf(workspace);
+    editor.edit([&](Document& document) { applyPreset(document.fur, preset); });
+    editor.commit("Preset " + preset.name);
+}
+
+void runSet(Workspace& workspace, Words& words) {
+    Editor& editor = editorOf(workspace);
+    Fur fur = editor.document().fur;
+    std::string label = "Set";
+    int count = 0;
+    do {
+        const std::string_view name = words.next();
+        const std::string_view value = words.next();
+        setParameter(fur, name, value);
+        if (++count <= 3) label += (count > 1 ? ", " : " ") + std::string(name);
+    } while (!words.done());
+    if (count > 3) label += ", ...";
+    editor.edit([&](Document& document) { document.fur = fur; });
+    editor.commit(std::move(label));
+}
+
+void runStroke(Workspace& workspace, Words& words) {
+    Editor& editor = editorOf(workspace);
+    const auto [brush, stopped] = brushFromWords(words, true);
+    if (stopped != ":")
+        throw std::runtime_error(stopped.empty() ? "the stroke has no : and no points"
+                                                 : "no brush knows " + quoted(stopped));
+    std::vector<vec3> points;
+    while (!words.done()) points.push_back(pointFromWords(words));
+    if (points.size() % 2 != 0)
+        throw std::runtime_error("the last point of the stroke has no normal");
+    editor.edit([&, &of = brush](Document& document) {
+        Stroke stroke(*workspace.query, document.groom, of);
+        for (std::size_t i = 0; i < points.size(); i += 2)
+            stroke.dab(document.groom, points[i], points[i + 1]);
+    });
+    editor.commit(strokeLabel(brush));
+}
+
+void runFlood(Workspace& workspace, Words& words) {
+    Editor& editor = editorOf(workspace);
+    const auto [brush, stopped] = brushFromWords(words, false);
+    vec3 direction(0.0f);
+    if (stopped == "direction") {
+        direction = pointFromWords(words);
+    } else if (!stopped.empty()) {
+        throw std::runtime_error("no flood knows " + quoted(stopped));
+    }
+    expectEnd(words);
+    if (brush.tool == Tool::comb && direction == vec3(0.0f))
+        throw std::runtime_error("a flood of comb needs a direction");
+    editor.edit([&, &of = brush](Document& document) {
+        flood(*document.skin, document.groom, of, direction);
+    });
+    editor.commit(std::string("Flood ") + toolInfo(brush.tool).name);
+}
+
+void runUndo(Workspace& workspace, Words& words) {
+    expectEnd(words);
+    editorOf(workspace).undo();
+}
+
+void runRedo(Workspace& workspace, Words& words) {
+    expectEnd(words);
+    editorOf(workspace).redo();
+}
+
+void runSave(Workspace& workspace, Words& words) {
+    Editor& editor = editorOf(workspace);
+    writeGroomedGlb(editor.document(), pathOf(words));
+    editor.markSaved();
+}
+
+struct Command {
+    const char* name;
+    void (*run)(Workspace&, Words&);
+};
+constexpr std::array<Command, 9> kCommands{{{"open", runOpen},
+                                            {"animal", runAnimal},
+                                            {"preset", runPreset},
+                                            {"set", runSet},
+                                            {"stroke", runStroke},
+                                            {"flood", runFlood},
+                                            {"undo", runUndo},
+                                            {"redo", runRedo},
+                                            {"save", runSave}}};
+
+void runText(Workspace& workspace, const std::string& path, std::string_view text) {
+    for (std::size_t number = 1; !text.empty(); ++number) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        try {
+            runLine(workspace, text.substr(0, end));
+        } catch (const std::runtime_error& error) {
+            throw std::runtime_error(path + ": line " + std::to_string(number) + ": " +
+                                     error.what());
+        }
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+}
+
+// The value of a row as text that sets it again bit for bit.
+template <class Object>
+std::string valueText(const Object& object, const Parameter& row) {
+    if (row.kind == ParameterKind::count) {
+        // Not through parameterValue: a float holds no more than 24 bits of a count.
+        uint count = 0;
+        std::memcpy(&count, reinterpret_cast<const std::byte*>(&object) + row.offset, sizeof count);
+        return std::to_string(count);
+    }
+    const vec3 value = parameterValue(object, row);
+    std::string text = floatText(value[0]);
+    for (int i = 1; i < row.components(); ++i) text += ',' + floatText(value[i]);
+    return text;
+}
+
+template <class Object>
+void addChanges(std::string& line, const std::string& owner, std::span<const Parameter> rows,
+                const Object& before, const Object& after) {
+    for (const Parameter& row : rows) {
+        const std::string value = valueText(after, row);
+        if (value != valueText(before, row)) line += ' ' + owner + '.' + row.name + ' ' + value;
+    }
+}
+
+}  // namespace
+
+void Workspace::open(Document document) {
+    auto newQuery = std::make_unique<SkinQuery>(document.skin);
+    auto newEditor = std::make_unique<Editor>(std::move(document));
+    stroke.reset();
+    query = std::move(newQuery);
+    editor = std::move(newEditor);
+}
+
+void Workspace::press(const Brush& brush, vec3 position, vec3 normal) {
+    cancelStroke();
+    stroke.emplace(*query, editor->document().groom, brush);
+    drag(position, normal);
+}
+
+void Workspace::drag(vec3 position, vec3 normal) {
+    if (!stroke) return;
+    editor->edit([&](Document& document) { stroke->dab(document.groom, position, normal); });
+}
+
+std::string Workspace::release() {
+    if (!stroke) return {};
+    std::string line = stroke->line();
+    const bool changed = editor->commit(strokeLabel(stroke->brush()));
+    stroke.reset();
+    return changed ? line : std::string{};
+}
+
+void Workspace::cancelStroke() {
+    if (!stroke) return;
+    stroke.reset();
+    editor->cancel();
+}
+
+void runLine(Workspace& workspace, std::string_view line) {
+    Words words(line);
+    const std::string_view name = words.next();
+    if (name.empty() || name.front() == '#') return;
+    const auto command = std::find_if(kCommands.begin(), kCommands.end(),
+                                      [&](const Command& row) { return name == row.name; });
+    if (command == kCommands.end()) throw std::runtime_error("no command " + quoted(name));
+    workspace.cancelStroke();
+    if (workspace.editor) workspace.editor->cancel();
+    try {
+        command->run(workspace, words);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(std::string(name) + ": " + error.what());
+    }
+}
+
+void runScript(Workspace& workspace, const std::string& path) {
+    const std::vector<std::byte> bytes = readFile(path, kLargestScript);
+    runText(workspace, path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+void replayJournal(Workspace& workspace, const std::string& path) {
+    const std::vector<std::byte> bytes = readFile(path, kLargestScript);
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    runText(workspace, path, text.substr(0, text.rfind('\n') + 1));
+}
+
+std::string setLine(const Fur& before, const Fur& after) {
+    std::string changes;
+    addChanges(changes, "over", coatParameters(), before.over, after.over);
+    addChanges(changes, "under", coatParameters(), before.under, after.under);
+    addChanges(changes, "fur", furParameters(), before, after);
+    return changes.empty() ? changes : "set" + changes;
+}
+
+std::string floodLine(const Brush& brush, vec3 direction) {
+    std::string line = "flood " + toolText(brush);
+    if (brush.tool == Tool::comb)
+        line += " direction " + floatText(direction.x) + ' ' + floatText(direction.y) + ' ' +
+                floatText(direction.z);
+    return line;
+}
+
+}  // namespace pelage

@@ -1,0 +1,177 @@
+// journal_test.cpp -- what was appended survives the end of its editor, however it ends.
+#include "core/journal.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "test_skins.h"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+class JournalTest : public testing::Test {
+protected:
+    void SetUp() override {
+        std::string name = (fs::temp_directory_path() / "pelage-journal-XXXXXX").string();
+        ASSERT_NE(mkdtemp(name.data()), nullptr);
+        folder_ = name;
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    static std::string contentOf(const std::string& path) {
+        std::stringstream text;
+        text << std::ifstream(path, std::ios::binary).rdbuf();
+        return text.str();
+    }
+    // A journal whose editor is gone.
+    void leaveBehind(const std::string& name, const std::string& content) const {
+        std::ofstream(folder_ + "/" + name, std::ios::binary) << content;
+    }
+
+    std::string folder_;
+};
+
+TEST_F(JournalTest, MakesItsFolderAndKeepsEachLine) {
+    Journal journal(folder_ + "/a/b");
+    journal.append("open fox.glb");
+    journal.append("undo");
+    EXPECT_EQ(contentOf(journal.path()), "open fox.glb\nundo\n");
+}
+
+TEST_F(JournalTest, RestartBeginsAnew) {
+    Journal journal(folder_);
+    journal.append("open fox.glb");
+    journal.append("undo");
+    journal.restart("open cat.glb");
+    journal.append("redo");
+    EXPECT_EQ(contentOf(journal.path()), "open cat.glb\nredo\n");
+}
+
+TEST_F(JournalTest, GoodOrderLeavesNothingBehind) {
+    {
+        Journal journal(folder_);
+        journal.append("open fox.glb");
+        journal.append("undo");
+    }
+    EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(JournalTest, RefusesALineThatIsTwo) {
+    Journal journal(folder_);
+    journal.append("open fox.glb");
+    EXPECT_THROW(journal.append("open a\nb.glb"), std::runtime_error);
+    EXPECT_THROW(journal.restart("open a\nb.glb"), std::runtime_error);
+    EXPECT_EQ(contentOf(journal.path()), "open fox.glb\n");
+}
+
+TEST_F(JournalTest, FolderThatCannotBeMadeIsSaid) {
+    leaveBehind("file", "");
+    EXPECT_THROW(Journal(folder_ + "/file/in"), std::runtime_error);
+}
+
+TEST_F(JournalTest, LiveEditorsAreNotLost) {
+    Journal mine(folder_), other(folder_);
+    mine.append("open fox.glb");
+    mine.append("undo");
+    EXPECT_NE(mine.path(), other.path());
+    EXPECT_TRUE(lostWork(folder_).empty());
+}
+
+TEST_F(JournalTest, LostWorkNamesItsDocumentAndCountsCompleteEdits) {
+    leaveBehind("b.journal", "open /home/a b/fox.glb\nundo\nredo\nstroke comb radius");
+    leaveBehind("a.journal", "animal 100000\nundo\n");
+    leaveBehind("none.journal", "open /home/cat.glb\n");
+    leaveBehind("notes.txt", "open x\nundo\n");
+    const std::vector<LostWork> lost = lostWork(folder_);
+    ASSERT_EQ(lost.size(), 2u);
+    EXPECT_EQ(lost[0].document, "animal");
+    EXPECT_EQ(lost[0].edits, 1u);
+    EXPECT_EQ(lost[1].document, "/home/a b/fox.glb");
+    EXPECT_EQ(lost[1].edits, 2u);
+    discardLostWork(lost[1]);
+    EXPECT_EQ(lostWork(folder_).size(), 1u);
+    EXPECT_TRUE(lostWork(folder_ + "/nowhere").empty());
+}
+
+TEST_F(JournalTest, NewEditorSweepsJournalsWithoutEditsAndNoOthers) {
+    leaveBehind("edits.journal", "open fox.glb\nundo\n");
+    leaveBehind("none.journal", "open fox.glb\n");
+    leaveBehind("empty.journal", "");
+    leaveBehind("notes.txt", "");
+    const Journal journal(folder_);
+    EXPECT_TRUE(fs::exists(folder_ + "/edits.journal"));
+    EXPECT_FALSE(fs::exists(folder_ + "/none.journal"));
+    EXPECT_FALSE(fs::exists(folder_ + "/empty.journal"));
+    EXPECT_TRUE(fs::exists(folder_ + "/notes.txt"));
+}
+
+// What an editor does that is killed: it tells through a pipe how many appends have returned.
+[[noreturn]] void appendForEver(const std::string& folder, int tell) {
+    Journal journal(folder);
+    journal.append("open fox.glb");
+    for (int i = 0;; ++i) {
+        journal.append("set fur.seed " + std::to_string(i));
+        if (write(tell, &i, sizeof i) != sizeof i) _exit(1);
+    }
+}
+
+TEST_F(JournalTest, KillLosesNothingForWhichAppendReturned) {
+    test::Draws draws(21);
+    for (int round = 0; round < 12; ++round) {
+        int ends[2];
+        ASSERT_EQ(pipe(ends), 0);
+        const pid_t child = fork();
+        ASSERT_GE(child, 0);
+        if (child == 0) appendForEver(folder_, ends[1]);
+        close(ends[1]);
+        int last = -1;
+        const int enough = static_cast<int>(draws.below(40));
+        while (last < enough && read(ends[0], &last, sizeof last) == sizeof last) {
+        }
+        usleep(draws.below(3000));
+        kill(child, SIGKILL);
+        int status = 0;
+        waitpid(child, &status, 0);
+        ASSERT_TRUE(WIFSIGNALED(status));
+        while (read(ends[0], &last, sizeof last) == sizeof last) {
+        }
+        close(ends[0]);
+
+        const std::vector<LostWork> lost = lostWork(folder_);
+        ASSERT_EQ(lost.size(), 1u);
+        EXPECT_EQ(lost[0].document, "fox.glb");
+        EXPECT_GE(lost[0].edits, static_cast<std::size_t>(last + 1));
+        std::string wanted = "open fox.glb\n";
+        for (int i = 0; i <= last; ++i) wanted += "set fur.seed " + std::to_string(i) + "\n";
+        EXPECT_TRUE(contentOf(lost[0].path).starts_with(wanted));
+        discardLostWork(lost[0]);
+    }
+}
+
+TEST(JournalFolder, FollowsTheEnvironment) {
+    const char* oldState = std::getenv("XDG_STATE_HOME");
+    const std::string keep = oldState ? oldState : "";
+    setenv("XDG_STATE_HOME", "/tmp/state", 1);
+    EXPECT_EQ(journalFolder(), "/tmp/state/pelage");
+    setenv("XDG_STATE_HOME", "relative", 1);  // to be ignored, says the XDG specification
+    if (std::getenv("HOME")) {
+        EXPECT_EQ(journalFolder(), std::string(std::getenv("HOME")) + "/.local/state/pelage");
+    }
+    if (oldState)
+        setenv("XDG_STATE_HOME", keep.c_str(), 1);
+    else
+        unsetenv("XDG_STATE_HOME");
+}
+
+}  // namespace
+}  // namespace pelage
