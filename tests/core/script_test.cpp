@@ -1,0 +1,348 @@
+// script_test.cpp -- lines mean what they say, come back bit for bit, and name what is wrong.
+#include "core/script.h"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "core/coat.h"
+#include "core/script_text.h"
+#include "test_skins.h"
+
+namespace pelage {
+namespace {
+
+using test::Draws;
+
+Workspace onBall() {
+    Workspace workspace;
+    workspace.open(test::evenDocument(test::ball(4)));
+    return workspace;
+}
+
+bool sameBits(const Document& a, const Document& b) {
+    for (std::size_t v = 0; v < a.groom.fur.size(); ++v) {
+        if (std::memcmp(&a.groom.fur[v], &b.groom.fur[v], sizeof(FurVertex)) != 0) return false;
+        if (std::memcmp(&a.groom.mask[v], &b.groom.mask[v], sizeof(float)) != 0) return false;
+    }
+    return a.fur == b.fur;
+}
+
+std::string errorOf(Workspace& workspace, std::string_view line) {
+    try {
+        runLine(workspace, line);
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+Brush randomBrush(Draws& draws) {
+    Brush brush;
+    brush.tool = static_cast<Tool>(draws.below(5));
+    brush.mode = static_cast<Mode>(draws.below(3));
+    brush.falloff = static_cast<Falloff>(draws.below(4));
+    brush.radius = draws.in(0.05f, 0.8f);
+    brush.strength = draws.in(0.0f, 1.0f);
+    brush.value = draws.in(0.0f, 1.0f);
+    brush.mirrorX = draws.below(2);
+    brush.facingOnly = draws.below(3) > 0;
+    return brush;
+}
+
+// A stroke by hand over the ball; its line.
+std::string strokeByHand(Workspace& workspace, Draws& draws) {
+    auto place = [&] { return glm::normalize(draws.inBox(1.0f) + vec3(0.0f, 0.01f, 0.0f)); };
+    vec3 at = place();
+    workspace.press(randomBrush(draws), at, at);
+    for (uint i = 0, moves = draws.below(8); i < moves; ++i) {
+        at = glm::normalize(at + 0.3f * draws.inBox(1.0f));
+        workspace.drag(at, at);
+    }
+    return workspace.release();
+}
+
+class ScriptFile : public testing::Test {
+protected:
+    void SetUp() override {
+        std::string name =
+            (std::filesystem::temp_directory_path() / "pelage-script-XXXXXX").string();
+        ASSERT_NE(mkdtemp(name.data()), nullptr);
+        folder_ = name;
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    std::string write(const std::string& text) const {
+        const std::string path = folder_ + "/script.txt";
+        std::ofstream(path, std::ios::binary) << text;
+        return path;
+    }
+
+    std::string folder_;
+};
+
+TEST(Script, LineReplaysBitForBit) {
+    Draws draws(31);
+    Workspace painted = onBall(), replayed = onBall();
+    std::size_t lines = 0;
+    for (int i = 0; i < 100; ++i) {
+        const std::string line = strokeByHand(painted, draws);
+        if (line.empty()) continue;
+        runLine(replayed, line);
+        ASSERT_TRUE(sameBits(painted.editor->document(), replayed.editor->document())) << line;
+        ++lines;
+    }
+    EXPECT_GT(lines, 60u);
+    EXPECT_EQ(painted.editor->stepCount(), lines + 1);
+    EXPECT_EQ(replayed.editor->stepCount(), lines + 1);
+}
+
+TEST(Script, NumbersReadBackBitForBit) {
+    Draws draws(32);
+    for (int i = 0; i < 20000; ++i) {
+        const uint bits = draws.below(0x7f800000u) | (draws.below(2) << 31);
+        float number;
+        std::memcpy(&number, &bits, sizeof number);
+        const auto back = floatFromText(floatText(number));
+        ASSERT_TRUE(back);
+        EXPECT_EQ(std::memcmp(&*back, &number, sizeof number), 0);
+    }
+    for (const char* wrong : {"", "nan", "inf", "-inf", "1x", "1e999", "--1", " 1"})
+        EXPECT_FALSE(floatFromText(wrong)) << wrong;
+}
+
+TEST(Script, EachLineIsOneStepWithALabel) {
+    Workspace workspace = onBall();
+    const std::vector<std::pair<std::string, std::string>> lines{
+        {"stroke comb radius 0.3 strength 0.5 : 1 0 0 1 0 0  0.9 0.3 0 0.9 0.3 0", "Comb stroke"},
+        {"stroke length set 0.1 radius 0.3 : 1 0 0 1 0 0", "Length stroke"},
+        {"flood density subtract strength 0.25", "Flood density"},
+        {"flood mask set 1", "Flood mask"},
+        {"flood mask set 0", "Flood mask"},
+        {"flood comb direction 0 -1 0", "Flood comb"},
+        {"set over.stiffness 0.3125", "Set over.stiffness"},
+        {"set fur.hairs 1234 under.stiffness 0.75", "Set fur.hairs, under.stiffness"}};
+    std::size_t steps = 1;
+    for (const auto& [line, label] : lines) {
+        runLine(workspace, line);
+        EXPECT_EQ(workspace.editor->stepCount(), ++steps) << line;
+        EXPECT_EQ(workspace.editor->undoLabel(), label);
+    }
+    EXPECT_EQ(workspace.editor->document().fur.over.stiffness, 0.3125f);
+    EXPECT_EQ(workspace.editor->document().fur.under.stiffness, 0.75f);
+    EXPECT_EQ(workspace.editor->document().fur.hairs, 1234u);
+    EXPECT_EQ(workspace.editor->document().groom.fur[0].density, 0.25f);
+}
+
+TEST(Script, BlankLinesAndRemarksDoNothing) {
+    Workspace workspace;
+    for (const char* line : {"", "   ", "\t\r", "# open nothing", "  # remark"})
+        runLine(workspace, line);
+    EXPECT_FALSE(workspace.editor);
+}
+
+TEST(Script, UndoAndRedoAtTheEndOfTheHistoryDoNothing) {
+    Workspace workspace = onBall();
+    runLine(workspace, "undo");
+    runLine(workspace, "redo");
+    runLine(workspace, "flood density set 0.125");
+    runLine(workspace, "undo");
+    EXPECT_EQ(workspace.editor->document().groom.fur[0].density, 0.5f);
+    runLine(workspace, "redo");
+    runLine(workspace, "redo");
+    EXPECT_EQ(workspace.editor->document().groom.fur[0].density, 0.125f);
+}
+
+TEST(Script, WordsAfterTheToolMayComeInAnyOrder) {
+    Workspace one = onBall(), other = onBall();
+    runLine(one, "stroke length add radius 0.3 strength 0.75 falloff sharp mirror : 1 0 0 1 0 0");
+    runLine(other, "stroke length mirror falloff sharp strength 0.75 radius 0.3 : 1 0 0 1 0 0\r");
+    EXPECT_TRUE(sameBits(one.editor->document(), other.editor->document()));
+    EXPECT_EQ(one.editor->stepCount(), 2u);
+}
+
+TEST(Script, ErrorNamesTheOffendingWordAndChangesNothing) {
+    Workspace workspace = onBall();
+    runLine(workspace, "flood density set 0.75");
+    const Document before = workspace.editor->document();
+    const std::vector<std::pair<std::string, std::string>> wrong{
+        {"paint it", "paint"},
+        {"stroke braid radius 1 : 0 0 0 0 0 0", "braid"},
+        {"stroke", "no tool"},
+        {"stroke comb radius x : 0 0 0 0 1 0", "\"x\""},
+        {"stroke comb radius 0 : 0 0 0 0 1 0", "\"0\""},
+        {"stroke comb radius -1 : 0 0 0 0 1 0", "\"-1\""},
+        {"stroke comb radius nan : 0 0 0 0 1 0", "nan"},
+        {"stroke comb radius 0.1 strength 1.5 : 0 0 0 0 1 0", "1.5"},
+        {"stroke comb strength 1 : 0 0 0 0 1 0", "radius"},
+        {"stroke comb radius 0.1 falloff bumpy : 0 0 0 0 1 0", "bumpy"},
+        {"stroke comb radius 0.1 sideways : 0 0 0 0 1 0", "sideways"},
+        {"stroke comb radius 0.1", "points"},
+        {"stroke comb radius 0.1 : 0 0 0 0 1", "\"\""},
+        {"stroke comb radius 0.1 : 0 0 0", "normal"},
+        {"stroke comb radius 0.1 : 1 0 0 1 0 0 0 zero 0 0 0 1", "zero"},
+        {"stroke density set 2 radius 0.1 : 1 0 0 1 0 0", "\"2\""},
+        {"flood comb", "direction"},
+        {"flood comb direction 0 1", "\"\""},
+        {"flood length radius 1", "radius"},
+        {"flood length direction 1 0 0 more", "more"},
+        {"set over.fluff 0.3", "over.fluff"},
+        {"set over.stiffness", "over.stiffness"},
+        {"set over.stiffness 3", "over.stiffness"},
+        {"set over.stiffness 0.5 over.fluff 1", "over.fluff"},
+        {"set", "set"},
+        {"preset no such animal", "no such animal"},
+        {"animal 5", "\"5\""},
+        {"undo twice", "twice"},
+        {"open", "file"},
+        {"open /nonexistent/fox.glb", "fox.glb"},
+        {"save", "file"},
+        {"save /nonexistent/folder/fox.glb", "folder"}};
+    for (const auto& [line, word] : wrong) {
+        const std::string error = errorOf(workspace, line);
+        EXPECT_NE(error.find(word), std::string::npos) << line << ": " << error;
+        EXPECT_EQ(error.find('\n'), std::string::npos);
+        EXPECT_EQ(workspace.editor->document(), before) << line;
+        EXPECT_EQ(workspace.editor->stepCount(), 2u) << line;
+    }
+}
+
+TEST(Script, LinesNeedADocument) {
+    Workspace workspace;
+    for (const char* line : {"undo", "set over.stiffness 0.5", "flood mask set 0", "save x.glb",
+                             "stroke comb radius 1 : 0 0 0 0 1 0"})
+        EXPECT_NE(errorOf(workspace, line).find("nothing is open"), std::string::npos) << line;
+}
+
+TEST(Script, LongNoiseIsCutInMessages) {
+    Workspace workspace;
+    EXPECT_LT(errorOf(workspace, std::string(100000, 'x')).size(), 200u);
+}
+
+TEST(Script, LineDropsUncommittedEditsFirst) {
+    Workspace workspace = onBall();
+    workspace.press(Brush{}, {1, 0, 0}, {1, 0, 0});
+    workspace.drag({0.9f, 0.3f, 0}, {1, 0, 0});
+    runLine(workspace, "set over.stiffness 0.3125");
+    EXPECT_FALSE(workspace.stroke);
+    EXPECT_EQ(workspace.release(), "");
+    runLine(workspace,
+            "set over.stiffness " + floatText(onBall().editor->document().fur.over.stiffness));
+    EXPECT_TRUE(sameBits(workspace.editor->document(), onBall().editor->document()));
+    EXPECT_EQ(workspace.editor->stepCount(), 3u);
+}
+
+TEST(Script, CancelledStrokeLeavesNothing) {
+    Workspace workspace = onBall();
+    const Document before = workspace.editor->document();
+    Brush brush;
+    brush.tool = Tool::length;
+    brush.radius = 0.4f;
+    workspace.press(brush, {1, 0, 0}, {1, 0, 0});
+    EXPECT_FALSE(workspace.editor->document() == before);
+    workspace.cancelStroke();
+    EXPECT_EQ(workspace.editor->document(), before);
+    EXPECT_EQ(workspace.editor->stepCount(), 1u);
+}
+
+TEST(Script, StrokeThatChangesNothingIsNoStep) {
+    Workspace workspace = onBall();
+    workspace.press(Brush{}, {50, 0, 0}, {1, 0, 0});
+    EXPECT_EQ(workspace.release(), "");
+    EXPECT_EQ(workspace.editor->stepCount(), 1u);
+}
+
+TEST(Script, SetLineMakesAfterOfBefore) {
+    Draws draws(33);
+    Workspace workspace = onBall();
+    for (int i = 0; i < 300; ++i) {
+        const Fur before = workspace.editor->document().fur;
+        Fur after = before;
+        for (uint k = 0, edits = draws.below(4); k < edits; ++k) {
+            Coat& coat = draws.below(2) ? after.over : after.under;
+            const auto rows = coatParameters();
+            const Parameter& row = rows[draws.below(static_cast<uint>(rows.size()))];
+            setParameter(coat, row,
+                         {draws.in(row.least, row.greatest), draws.in(row.least, row.greatest),
+                          draws.in(row.least, row.greatest)});
+        }
+        if (draws.below(3) == 0) after.seed = draws.below(~0u);
+        if (draws.below(3) == 0) after.hairs = draws.below(5000000);
+        if (draws.below(3) == 0) {
+            for (const Parameter& row : furParameters())
+                if (row.kind == ParameterKind::direction)
+                    setParameter(after, row, draws.inBox(1.0f) + vec3(0, 2, 0));
+        }
+        const std::string line = setLine(before, after);
+        EXPECT_EQ(line.empty(), before == after);
+        runLine(workspace, line);
+        ASSERT_TRUE(workspace.editor->document().fur == after) << line;
+    }
+}
+
+TEST(Script, FloodLineFloods) {
+    Workspace workspace = onBall();
+    Brush brush;
+    brush.tool = Tool::comb;
+    brush.mode = Mode::subtract;
+    brush.strength = 0.3f;
+    Groom wanted = workspace.editor->document().groom;
+    flood(*workspace.editor->document().skin, wanted, brush, {0.1f, -0.7f, 0.2f});
+    runLine(workspace, floodLine(brush, {0.1f, -0.7f, 0.2f}));
+    for (std::size_t v = 0; v < wanted.fur.size(); ++v)
+        EXPECT_EQ(workspace.editor->document().groom.fur[v], wanted.fur[v]);
+}
+
+TEST_F(ScriptFile, ErrorSaysFileAndLine) {
+    Workspace workspace = onBall();
+    const std::string path = write("flood density set 0.25\n\n# fine so far\nflood fluff\nundo\n");
+    try {
+        runScript(workspace, path);
+        FAIL() << "no error";
+    } catch (const std::runtime_error& error) {
+        EXPECT_TRUE(std::string(error.what()).starts_with(path + ": line 4: ")) << error.what();
+    }
+    EXPECT_EQ(workspace.editor->document().groom.fur[0].density, 0.25f);
+}
+
+TEST_F(ScriptFile, LastLineNeedsNoNewlineInAScriptButInAJournal) {
+    const std::string path = write("flood density set 0.25\nflood density set 0.125");
+    Workspace script = onBall(), journal = onBall();
+    runScript(script, path);
+    EXPECT_EQ(script.editor->document().groom.fur[0].density, 0.125f);
+    replayJournal(journal, path);
+    EXPECT_EQ(journal.editor->document().groom.fur[0].density, 0.25f);
+}
+
+TEST_F(ScriptFile, TornJournalReplaysItsCompleteLinesWhereverItIsCut) {
+    Draws draws(34);
+    Workspace painted = onBall();
+    std::vector<std::string> lines;
+    while (lines.size() < 6)
+        if (std::string line = strokeByHand(painted, draws); !line.empty())
+            lines.push_back(line + '\n');
+    std::string text;
+    for (const std::string& line : lines) text += line;
+    for (int i = 0; i < 60; ++i) {
+        const std::size_t cut = draws.below(static_cast<uint>(text.size() + 1));
+        std::size_t complete = 0, length = 0;
+        while (complete < lines.size() && length + lines[complete].size() <= cut)
+            length += lines[complete++].size();
+        Workspace replayed = onBall();
+        replayJournal(replayed, write(text.substr(0, cut)));
+        EXPECT_EQ(replayed.editor->stepCount(), complete + 1);
+    }
+}
+
+TEST_F(ScriptFile, MissingFileIsSaid) {
+    Workspace workspace;
+    EXPECT_THROW(runScript(workspace, folder_ + "/none.txt"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace pelage
