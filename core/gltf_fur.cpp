@@ -1,0 +1,150 @@
+// gltf_fur.cpp -- finds fur in attributes and extras.
+#include "gltf_fur.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "gltf_accessor.h"
+
+namespace pelage {
+namespace {
+
+constexpr float kMaxLength = 1e6f;
+
+// "fur_length" for "_FUR_LENGTH" and "__Fur_Length".
+std::string plainName(const std::string& name) {
+    std::string out = name.substr(std::min(name.find_first_not_of('_'), name.size()));
+    std::transform(out.begin(), out.end(), out.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return out;
+}
+
+// Values of the attribute of that plain name, one of `components` per vertex of the part.
+std::optional<std::vector<float>> field(GltfFile& file, const SourcePart& part,
+                                        const JsonPlace& primitive, const char* name,
+                                        std::size_t components) {
+    const JsonPlace attributes = primitive.at("attributes");
+    for (const auto& [attribute, value] : attributes.json().items()) {
+        if (plainName(attribute) != name) continue;
+        const std::size_t accessor = attributes.at(attribute).integer(0, 0xffffffffu);
+        const AccessorShape shape = accessorShape(file, accessor);
+        if (shape.components != components) {
+            file.warnings.add(primitive.text() + ": " + name + " has " +
+                              std::to_string(shape.components) + " components instead of " +
+                              std::to_string(components) + "; it was ignored");
+            return std::nullopt;
+        }
+        if (shape.count != part.vertexCount) {
+            primitive.refuse(std::string(name) + " has " + std::to_string(shape.count) +
+                             " values for " + std::to_string(part.vertexCount) + " vertices");
+        }
+        return accessorFloats(file, accessor, components);
+    }
+    return std::nullopt;
+}
+
+// Makes every value one that fur can have; returns how many were changed.
+std::size_t keepInRange(std::vector<float>& values, float greatest) {
+    std::size_t changed = 0;
+    for (float& value : values) {
+        if (value >= 0.0f && value <= greatest) continue;
+        value = value > greatest && std::isfinite(value) ? greatest : 0.0f;
+        ++changed;
+    }
+    return changed;
+}
+
+std::size_t keepInRange(std::vector<vec3>& directions) {
+    std::size_t changed = 0;
+    for (vec3& d : directions) {
+        const float length = glm::length(d);
+        if (length <= 1.001f) continue;  // a unit vector may be off by its rounding
+        d = std::isfinite(length) ? d / length : vec3(0.0f);
+        ++changed;
+    }
+    return changed;
+}
+
+void warnChanged(GltfFile& file, const JsonPlace& primitive, const char* name,
+                 std::size_t changed) {
+    if (changed == 0) return;
+    file.warnings.add(primitive.text() + ": " + std::to_string(changed) + " values of " + name +
+                      " were out of range and were changed");
+}
+
+// Puts the values at the place of the part in an array that is as long as all vertices so far.
+template <typename T>
+void place(std::vector<T>& all, const SourcePart& part, const std::vector<T>& values, T missing) {
+    all.resize(part.firstVertex, missing);
+    all.insert(all.end(), values.begin(), values.end());
+}
+
+std::string blockOf(const GltfFile& file, const char* section) {
+    for (std::size_t i = 0; i < file.count(section); ++i) {
+        const JsonPlace place = file.element(section, i);
+        if (!place.has("extras")) continue;
+        const Json& extras = place.json().at("extras");
+        if (extras.is_object() && extras.contains("fur")) return extras.at("fur").dump();
+    }
+    return {};
+}
+
+}  // namespace
+
+void readFurFields(GltfFile& file, Source& source, const SourcePart& part,
+                   const JsonPlace& primitive) {
+    auto length = field(file, part, primitive, "fur_length", 1);
+    auto density = field(file, part, primitive, "fur_density", 1);
+    const auto flat = field(file, part, primitive, "fur_direction", 3);
+    if (!source.fur && (length || density || flat)) source.fur = std::make_unique<SourceFur>();
+    if (length) {
+        warnChanged(file, primitive, "fur_length", keepInRange(*length, kMaxLength));
+        place(source.fur->length, part, *length, 0.0f);
+    }
+    if (density) {
+        warnChanged(file, primitive, "fur_density", keepInRange(*density, 1.0f));
+        place(source.fur->density, part, *density, 1.0f);
+    }
+    if (flat) {
+        std::vector<vec3> direction(part.vertexCount);
+        for (std::size_t v = 0; v < direction.size(); ++v) {
+            direction[v] = vec3((*flat)[3 * v], (*flat)[3 * v + 1], (*flat)[3 * v + 2]);
+        }
+        warnChanged(file, primitive, "fur_direction", keepInRange(direction));
+        place(source.fur->direction, part, direction, vec3(0.0f));
+    }
+}
+
+void readFurSegments(GltfFile& file, Source& source, const SourcePart& part, const JsonPlace& mesh,
+                     const JsonPlace& primitive) {
+    const auto numbers = field(file, part, primitive, "fur_segment", 1);
+    const auto extras = mesh.has("extras") ? std::optional(mesh.at("extras")) : std::nullopt;
+    if (!numbers || !extras || !extras->has("furSegments")) return;
+    if (source.segments.empty()) {
+        const JsonPlace list = *extras->array("furSegments");
+        for (std::size_t s = 0; s < list.size(); ++s) {
+            const auto root = list.at(s).numbers("root", 3), tip = list.at(s).numbers("tip", 3);
+            if (root.empty() || tip.empty()) list.at(s).refuse("has no root or no tip");
+            source.segments.push_back({list.at(s).string("name"), vec3(root[0], root[1], root[2]),
+                                       vec3(tip[0], tip[1], tip[2])});
+        }
+    }
+    source.segmentOf.resize(part.firstVertex, 0);
+    for (const float number : *numbers) {
+        if (!(number >= 0.0f && number < static_cast<float>(source.segments.size()))) {
+            primitive.refuse("_FUR_SEGMENT names one of " + std::to_string(source.segments.size()) +
+                             " segments that is not there");
+        }
+        source.segmentOf.push_back(static_cast<uint>(number));
+    }
+}
+
+std::string furBlock(const GltfFile& file) {
+    std::string block = blockOf(file, "meshes");
+    return block.empty() ? blockOf(file, "nodes") : block;
+}
+
+}  // namespace pelage

@@ -1,0 +1,25 @@
+// gltf_fur.h -- fur that an earlier groom left in a glTF: fields on vertices and the block in
+// extras.
+#pragma once
+
+#include "gltf_file.h"
+#include "source.h"
+
+namespace pelage {
+
+// Reads fur_length, fur_density and fur_direction of the part into source.fur, which is made when
+// the first is found. Names are compared without case and without leading underscores, because
+// Blender adds one and three.js lowers the case. Floats are kept bit for bit; what no fur can have
+// (NaN, negative or infinite lengths) becomes 0 and is counted in a warning.
+void readFurFields(GltfFile& file, Source& source, const SourcePart& part,
+                   const JsonPlace& primitive);
+
+// Body segments that an export of something else than glTF left: extras.furSegments of the mesh
+// and _FUR_SEGMENT of its primitives.
+void readFurSegments(GltfFile& file, Source& source, const SourcePart& part, const JsonPlace& mesh,
+                     const JsonPlace& primitive);
+
+// The extras.fur of the first mesh that has one, else of the first node, as JSON; "" for none.
+std::string furBlock(const GltfFile& file);
+
+}  // namespace pelage

@@ -1,0 +1,26 @@
+// gltf_nodes.h -- where the nodes of a glTF stand, and which of them place which mesh.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "gltf_file.h"
+#include "types.h"
+
+namespace pelage {
+
+inline constexpr std::size_t kNoNode = std::numeric_limits<std::size_t>::max();
+
+struct Nodes {
+    std::vector<mat4> toWorld;        // of each node, at its own TRS or matrix
+    std::vector<std::size_t> parent;  // kNoNode for roots
+    // The node that shows each mesh: the first in the default scene, else in another, else kNoNode.
+    std::vector<std::size_t> placeOf;
+};
+
+// Refuses nodes that are their own ancestor or have two parents. Warns, once a mesh, when several
+// places share it, when only another scene shows it and when none does.
+Nodes readNodes(GltfFile& file);
+
+}  // namespace pelage

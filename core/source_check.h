@@ -1,0 +1,22 @@
+// source_check.h -- what must hold for a source whichever file it came from.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "source.h"
+
+namespace pelage {
+
+// Sets the length of the arrays that only some parts filled, and refuses (naming `file`) a source
+// without triangles, a vertex whose place in the world is not finite or is so far out that areas
+// overflow, and asserts that triangles name vertices of their own part.
+void finishSource(Source& source, const std::string& file);
+
+// True for the first bytes of a PNG or a JPEG.
+bool isPicture(std::span<const std::byte> bytes);
+
+// Linear value of an sRGB-encoded one, [0,1]. IEC 61966-2-1.
+float linearFromSrgb(float encoded);
+
+}  // namespace pelage
