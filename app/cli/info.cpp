@@ -1,0 +1,106 @@
+// info.cpp -- pelage info: what was found in a mesh file.
+#include <cstdio>
+#include <memory>
+
+#include "app/cli/cli.h"
+#include "app/cli/print.h"
+#include "core/carried_counts.h"
+#include "core/document.h"
+
+namespace pelage {
+namespace {
+
+Json jsonOf(FieldRange range) { return {{"min", range.least}, {"max", range.greatest}}; }
+Json jsonOf(vec3 v) { return Json::array({v.x, v.y, v.z}); }
+
+// Ranges of the fields that the file holds, in the file's own units; empty when it holds none.
+Json fieldsOf(const Document& document) {
+    Json fields = Json::object();
+    if (!document.skin->source->fur) return fields;
+    fields["length"] = jsonOf(fieldRange(document.groom, Channel::length));
+    fields["density"] = jsonOf(fieldRange(document.groom, Channel::density));
+    fields["direction"] = jsonOf(fieldRange(document.groom, Channel::direction));
+    return fields;
+}
+
+Json infoOf(const std::string& file, const Document& document) {
+    const Skin& skin = *document.skin;
+    const LoadReport& report = skin.report;
+    const CarriedCounts carried = carriedCounts(*skin.source);
+    Json segments = Json::array();
+    for (const Segment& segment : skin.segments()) segments.push_back(segment.name);
+    return {{"file", file},
+            {"vertices", report.vertices},
+            {"triangles", report.triangles},
+            {"weldedVertices", report.weldedVertices},
+            {"unusedVertices", report.unusedVertices},
+            {"nonManifoldEdges", report.nonManifoldEdges},
+            {"flippedEdges", report.flippedEdges},
+            {"boundaryEdges", report.boundaryEdges},
+            {"degenerateFaces", report.degenerateFaces},
+            {"segments", segments},
+            {"joints", carried.joints},
+            {"animations", carried.animations},
+            {"morphTargets", carried.morphTargets},
+            {"materials", carried.materials},
+            {"images", carried.images},
+            {"hasFur", skin.source->fur != nullptr},
+            {"fields", fieldsOf(document)},
+            {"bounds", {{"min", jsonOf(skin.lower)}, {"max", jsonOf(skin.upper)}}},
+            {"area", skin.area},
+            {"warnings", report.warnings}};
+}
+
+std::string number(const Json& value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value.get<double>());
+    return text;
+}
+
+std::string vectorText(const Json& v) {
+    return number(v[0]) + " " + number(v[1]) + " " + number(v[2]);
+}
+
+std::string textOf(const Json& info) {
+    std::string text = info["file"].get<std::string>() + "\n";
+    const auto line = [&](const std::string& name, const std::string& value) {
+        text.append("  ").append(name).append(18 - name.size(), ' ').append(value).append("\n");
+    };
+    for (const char* count :
+         {"vertices", "triangles", "weldedVertices", "unusedVertices", "nonManifoldEdges",
+          "flippedEdges", "boundaryEdges", "degenerateFaces", "joints", "animations",
+          "morphTargets", "materials", "images"}) {
+        line(count, info[count].dump());
+    }
+    std::string names;
+    for (const auto& segment : info["segments"]) {
+        names += (names.empty() ? "" : ", ") + segment.get<std::string>();
+    }
+    line("segments", names.empty() ? "none" : names);
+    line("bounds", vectorText(info["bounds"]["min"]) + " to " + vectorText(info["bounds"]["max"]));
+    line("fur", info["hasFur"].get<bool>() ? "yes" : "no");
+    for (const auto& [field, range] : info["fields"].items()) {
+        line("fur " + field, number(range["min"]) + " to " + number(range["max"]));
+    }
+    for (const auto& warning : info["warnings"]) line("warning", warning.get<std::string>());
+    return text;
+}
+
+}  // namespace
+
+void addInfo(CLI::App& app, bool& json) {
+    CLI::App* verb = app.add_subcommand("info", "Say what a mesh file holds");
+    const auto file = std::make_shared<std::string>();
+    verb->add_option("FILE", *file, "A .glb, .gltf, .obj, .ply, .off or .stl file")->required();
+    addJsonFlag(*verb, json);
+    verb->callback([file, &json] {
+        const Json info = infoOf(*file, openDocument(readSource(*file)));
+        if (json) {
+            printJson(info);
+        } else {
+            print(textOf(info));
+        }
+    });
+}
+
+}  // namespace pelage

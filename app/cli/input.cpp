@@ -1,0 +1,85 @@
+// input.cpp -- from options to a document.
+#include "app/cli/input.h"
+
+#include <filesystem>
+#include <memory>
+
+#include "app/cli/cli.h"
+#include "core/animal.h"
+#include "core/script.h"
+#include "core/source.h"
+
+namespace pelage {
+namespace {
+
+void applySet(Fur& fur, const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) {
+        throw UsageError("--set " + text + ": expected NAME=VALUE, as in over.stiffness=0.3");
+    }
+    try {
+        setParameter(fur, text.substr(0, equals), text.substr(equals + 1));
+    } catch (const std::runtime_error& error) {
+        throw UsageError("--set " + text + ": " + error.what());
+    }
+}
+
+void applyNamedPreset(Fur& fur, const std::string& name) {
+    try {
+        applyPreset(fur, presetNamed(name));
+    } catch (const std::runtime_error& error) {
+        throw UsageError(std::string("--preset: ") + error.what());
+    }
+}
+
+Document afterScript(Document document, const std::string& path) {
+    Workspace workspace;
+    workspace.open(std::move(document));
+    runScript(workspace, path);
+    return workspace.editor->document();
+}
+
+}  // namespace
+
+void addInputOptions(CLI::App& verb, InputOptions& options) {
+    verb.add_option("FILE", options.file, "A .glb, .gltf, .obj, .ply, .off or .stl file");
+    verb.add_option("--animal", options.animal, "The built-in animal of N triangles, not a file")
+        ->type_name("N")
+        ->check(CLI::Range(std::size_t{2000}, std::size_t{2000000}));
+    verb.add_option("--preset", options.preset, "Put on a coat; see pelage presets")
+        ->type_name("NAME");
+    verb.add_option("--script", options.script, "Run the lines of a script on the document")
+        ->type_name("S");
+    verb.add_option("--set", options.sets, "Set a coat parameter: over.stiffness=0.3 (repeatable)")
+        ->type_name("NAME=VALUE")
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
+    verb.add_option("--hairs", options.hairs, "Hairs on the entire skin at density 1")
+        ->type_name("N")
+        ->check(CLI::Range(uint{0}, uint{5000000}));
+}
+
+Document openInput(const InputOptions& options) {
+    if (options.file.empty() == !options.animal) {
+        throw UsageError("expected a FILE or --animal N, one of the two");
+    }
+    // What is wrong with the command line is found before any long work.
+    Fur trial = defaultFur();
+    if (!options.preset.empty()) applyNamedPreset(trial, options.preset);
+    for (const std::string& set : options.sets) applySet(trial, set);
+
+    Document document =
+        options.animal ? groomedAnimal(*options.animal) : openDocument(readSource(options.file));
+    if (!options.preset.empty()) applyNamedPreset(document.fur, options.preset);
+    if (!options.script.empty()) document = afterScript(std::move(document), options.script);
+    for (const std::string& set : options.sets) applySet(document.fur, set);
+    if (options.hairs) document.fur.hairs = *options.hairs;
+    return document;
+}
+
+std::string stemOf(const std::string& file) {
+    return file.empty() ? "animal" : std::filesystem::path(file).stem().string();
+}
+
+}  // namespace pelage

@@ -1,0 +1,60 @@
+// picture.cpp -- pictures without a window.
+#include "app/cli/picture.h"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+
+#include "app/session.h"
+
+namespace pelage {
+
+Camera framedCamera(const Document& document, float yaw, float pitch, ivec2 size) {
+    const Skin& skin = *document.skin;
+    const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
+    return framed(skin.center(), modelRadius(skin), yaw, pitch, aspect);
+}
+
+FrameStats drawFinished(Renderer& renderer, const Document& document, const View& view) {
+    FrameStats stats = renderer.draw(document, view);
+    for (int i = 1; i < view.samples && !stats.finished; ++i) stats = renderer.draw(document, view);
+    return stats;
+}
+
+std::vector<double> timeFrames(Renderer& renderer, const Document& document, View view,
+                               int repeat) {
+    view.samples = 1;
+    const float yaw = view.camera.yaw;
+    std::vector<double> times;
+    for (int i = 0; i <= repeat; ++i) {
+        // A camera that moves by less than a pixel makes the picture begin anew.
+        view.camera.yaw = yaw + 1e-5f * static_cast<float>(i + 1);
+        const auto start = std::chrono::steady_clock::now();
+        renderer.draw(document, view);
+        const std::chrono::duration<double, std::milli> time =
+            std::chrono::steady_clock::now() - start;
+        if (i > 0) times.push_back(time.count());
+    }
+    return times;
+}
+
+double median(std::vector<double> values) {
+    assert(!values.empty());
+    std::ranges::sort(values);
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+void writePicture(const std::string& path, const Renderer& renderer, ivec2 size) {
+    const std::vector<unsigned char> upwards = renderer.pixels();
+    const std::size_t row = 4 * static_cast<std::size_t>(size.x);
+    std::vector<unsigned char> downwards;
+    downwards.reserve(upwards.size());
+    for (std::size_t end = upwards.size(); end >= row; end -= row) {
+        const auto last = upwards.begin() + static_cast<std::ptrdiff_t>(end);
+        downwards.insert(downwards.end(), last - static_cast<std::ptrdiff_t>(row), last);
+    }
+    writePng(path, size, downwards);
+}
+
+}  // namespace pelage

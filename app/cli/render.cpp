@@ -1,0 +1,141 @@
+// render.cpp -- pelage render: a picture of the fur, and how long it took.
+#include <charconv>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "app/cli/cli.h"
+#include "app/cli/input.h"
+#include "app/cli/picture.h"
+#include "app/cli/print.h"
+
+namespace pelage {
+namespace {
+
+constexpr int kMaxSide = 8192;  // pixels
+
+struct Options {
+    InputOptions input;
+    std::string output;
+    std::string size = "900x900";
+    std::string technique = "polyline";
+    std::optional<float> distance;     // m
+    float yaw = 35.0f, pitch = 12.0f;  // degrees
+    int samples = 16, repeat = 3;
+};
+
+// "900x600" as pixels; nothing where it is not two numbers of [1, kMaxSide].
+std::optional<ivec2> parseSize(const std::string& text) {
+    ivec2 size{0};
+    const char* end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.x);
+    if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return std::nullopt;
+    const auto height = std::from_chars(width.ptr + 1, end, size.y);
+    if (height.ec != std::errc() || height.ptr != end) return std::nullopt;
+    if (size.x < 1 || size.y < 1 || size.x > kMaxSide || size.y > kMaxSide) return std::nullopt;
+    return size;
+}
+
+std::string checkSize(const std::string& text) {
+    if (parseSize(text)) return "";
+    return "\"" + text + "\" is not WIDTHxHEIGHT, each 1 to " + std::to_string(kMaxSide);
+}
+
+View viewOf(const Document& document, const Options& options) {
+    View view;
+    view.size = *parseSize(options.size);
+    view.samples = options.samples;
+    view.camera =
+        framedCamera(document, glm::radians(options.yaw), glm::radians(options.pitch), view.size);
+    if (options.distance) view.camera.distance = *options.distance;
+    return view;
+}
+
+Json jsonOf(const Options& options, const Document& document, const View& view,
+            const FrameStats& stats, const std::vector<double>& times, const Renderer& renderer) {
+    return {{"output", options.output},
+            {"width", view.size.x},
+            {"height", view.size.y},
+            {"technique", options.technique},
+            {"hairsTotal", stats.hairsTotal},
+            {"hairsDrawn", stats.hairsDrawn},
+            {"segments", view.segments},
+            {"samples", stats.samples},
+            {"msFrame", median(times)},
+            {"msFrames", times},
+            {"distance", view.camera.distance},
+            {"yaw", options.yaw},
+            {"pitch", options.pitch},
+            {"triangles", document.skin->triangles.size()},
+            {"bytesPerHair", renderer.bytesPerHair()},
+            {"bytes", renderer.bytes()},
+            {"device", renderer.device()}};
+}
+
+std::string textOf(const Json& result) {
+    char times[64];
+    std::snprintf(times, sizeof times, "%.1f ms a frame", result["msFrame"].get<double>());
+    return "wrote " + result["output"].get<std::string>() + ": " + result["width"].dump() + "x" +
+           result["height"].dump() + ", " + result["hairsDrawn"].dump() + " of " +
+           result["hairsTotal"].dump() + " hairs, " + times + " on " +
+           result["device"].get<std::string>() + "\n";
+}
+
+void render(const Options& options, bool json) {
+    const Document document = openInput(options.input);
+    const HeadlessContext context;
+    Renderer renderer;
+    const View view = viewOf(document, options);
+    const std::vector<double> times = timeFrames(renderer, document, view, options.repeat);
+    const FrameStats stats = drawFinished(renderer, document, view);
+    writePicture(options.output, renderer, view.size);
+    const Json result = jsonOf(options, document, view, stats, times, renderer);
+    if (json) {
+        printJson(result);
+    } else {
+        print(textOf(result));
+    }
+}
+
+}  // namespace
+
+void addRender(CLI::App& app, bool& json) {
+    CLI::App* verb = app.add_subcommand("render", "Draw a picture without a window");
+    const auto options = std::make_shared<Options>();
+    addInputOptions(*verb, options->input);
+    verb->add_option("-o,--output", options->output, "The .png file to write")
+        ->type_name("OUT.png")
+        ->required();
+    verb->add_option("--size", options->size, "Pixels")
+        ->type_name("WxH")
+        ->capture_default_str()
+        ->check(CLI::Validator(checkSize, ""));
+    verb->add_option("--technique", options->technique, "How hair is drawn")
+        ->type_name("NAME")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"polyline"}));
+    verb->add_option("--distance", options->distance,
+                     "m from the eye to the middle of the model; without it the model is framed")
+        ->type_name("D")
+        ->check(CLI::Range(1e-6f, 1e6f));
+    verb->add_option("--yaw", options->yaw, "Degrees to the animal's left; 0 looks at its face")
+        ->type_name("A")
+        ->capture_default_str()
+        ->check(CLI::Range(-3600.0f, 3600.0f));
+    verb->add_option("--pitch", options->pitch, "Degrees from above")
+        ->type_name("A")
+        ->capture_default_str()
+        ->check(CLI::Range(-90.0f, 90.0f));
+    verb->add_option("--samples", options->samples, "Frames that the picture averages")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1024));
+    verb->add_option("--repeat", options->repeat, "Frames that are timed")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 10000));
+    addJsonFlag(*verb, json);
+    verb->callback([options, &json] { render(*options, json); });
+}
+
+}  // namespace pelage
