@@ -1,0 +1,143 @@
+// dab_bench.cpp -- what a dab costs against the size of the mesh.
+//
+// Measured: one Stroke::dab with a radius of 5 % of the model: radius query, coverage, tool, and
+// the copies of chunks. Strokes of 24 dabs along the flank, a radius / 8 apart. Left out:
+// making the stroke (reported as `press_ms`), picking (BM_Pick), drawing.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <vector>
+
+#include "bench_animal.h"
+#include "core/brush.h"
+
+namespace pelage::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double median(std::vector<double> values, double share = 0.5) {
+    if (values.empty()) return 0.0;
+    const auto at = values.begin() +
+                    static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+// Where a stroke along the flank meets the skin; `shift` in sizes, upwards.
+std::vector<SkinHit> flank(const SkinQuery& query, float shift, float spacing) {
+    const Skin& skin = query.skin();
+    std::vector<SkinHit> hits;
+    for (int i = 0; i < 24; ++i) {
+        const vec3 middle = skin.center();
+        const vec3 from(skin.upper.x + skin.size(), middle.y + shift * skin.size(),
+                        middle.z + (static_cast<float>(i) - 12.0f) * spacing);
+        if (const auto hit = query.cast(from, {-1.0f, 0.0f, 0.0f})) hits.push_back(*hit);
+    }
+    return hits;
+}
+
+void BM_Dab(benchmark::State& state) {
+    const Animal& on = animal(static_cast<std::size_t>(state.range(0)));
+    Brush brush;
+    brush.tool = static_cast<Tool>(state.range(1));
+    brush.radius = 0.05f * on.document.skin->size();
+    const std::vector<SkinHit> path = flank(on.query, 0.1f, brush.radius / 8.0f);
+    std::vector<uint> found;
+    if (!path.empty()) on.query.within(path[path.size() / 2].position, brush.radius, found);
+
+    std::vector<double> dabs, presses;
+    std::vector<Stroke> stroke;  // none or one
+    Groom groom = on.document.groom;
+    std::size_t next = path.size();
+    for (auto _ : state) {
+        if (next >= path.size()) {
+            groom = on.document.groom;
+            const auto start = Clock::now();
+            stroke.clear();
+            stroke.emplace_back(on.query, groom, brush);
+            presses.push_back(secondsSince(start));
+            next = 0;
+        }
+        const auto start = Clock::now();
+        if (!path.empty()) stroke[0].dab(groom, path[next].position, path[next].normal);
+        dabs.push_back(secondsSince(start));
+        state.SetIterationTime(dabs.back());
+        ++next;
+    }
+    state.SetLabel(toolInfo(brush.tool).name);
+    state.counters["triangles"] = on.triangles();
+    state.counters["footprint"] = static_cast<double>(found.size());
+    state.counters["median_ms"] = 1e3 * median(dabs);
+    state.counters["p95_ms"] = 1e3 * median(dabs, 0.95);
+    state.counters["press_ms"] = 1e3 * median(presses);
+}
+BENCHMARK(BM_Dab)
+    ->ArgsProduct({{10000, 100000, 1000000, 2000000}, {0, 1, 2, 3, 4}})
+    ->ArgNames({"triangles", "tool"})
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime();
+
+// The footprint grows, the mesh does not.
+void BM_DabOfRadius(benchmark::State& state) {
+    const Animal& on = animal(1000000);
+    Brush brush;
+    brush.tool = Tool::length;
+    brush.radius = static_cast<float>(state.range(0)) * 0.01f * on.document.skin->size();
+    const std::vector<SkinHit> path = flank(on.query, 0.1f, 0.0f);
+    std::vector<uint> found;
+    if (!path.empty()) on.query.within(path[0].position, brush.radius, found);
+    for (auto _ : state) {
+        Groom groom = on.document.groom;
+        Stroke stroke(on.query, groom, brush);
+        const auto start = Clock::now();
+        if (!path.empty()) stroke.dab(groom, path[0].position, path[0].normal);
+        state.SetIterationTime(secondsSince(start));
+    }
+    state.counters["footprint"] = static_cast<double>(found.size());
+}
+BENCHMARK(BM_DabOfRadius)
+    ->Arg(1)
+    ->Arg(2)
+    ->Arg(5)
+    ->Arg(10)
+    ->ArgName("percent")
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime();
+
+void BM_Pick(benchmark::State& state) {
+    const Animal& on = animal(static_cast<std::size_t>(state.range(0)));
+    const vec3 from =
+        on.document.skin->center() + vec3(2.0f, 1.0f, 0.5f) * on.document.skin->size();
+    float angle = 0.0f;
+    for (auto _ : state) {
+        angle += 0.1f;
+        const vec3 aim =
+            on.document.skin->center() + 0.1f * vec3(0.0f, std::cos(angle), std::sin(angle));
+        benchmark::DoNotOptimize(on.query.cast(from, aim - from));
+    }
+}
+BENCHMARK(BM_Pick)->Arg(10000)->Arg(100000)->Arg(1000000)->ArgName("triangles");
+
+void BM_BuildQuery(benchmark::State& state) {
+    const Animal& on = animal(static_cast<std::size_t>(state.range(0)));
+    for (auto _ : state) benchmark::DoNotOptimize(SkinQuery(on.document.skin));
+    state.counters["s_per_Mtriangle"] =
+        benchmark::Counter(on.triangles() * 1e-6, benchmark::Counter::kIsIterationInvariantRate |
+                                                      benchmark::Counter::kInvert);
+}
+BENCHMARK(BM_BuildQuery)
+    ->Arg(100000)
+    ->Arg(1000000)
+    ->ArgName("triangles")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+}  // namespace
+}  // namespace pelage::bench
