@@ -55,6 +55,14 @@ std::vector<std::size_t> mergeBuffers(GlbDraft& draft, const CarriedGltf& carrie
     return start;
 }
 
+// Makes a place in a buffer of the source one in the merged buffer.
+void moveView(OrderedJson& view, const std::vector<std::size_t>& start) {
+    const auto buffer = view.at("buffer").get<std::size_t>();
+    if (buffer == 0) return;  // lies where it lay
+    view["buffer"] = 0;
+    view["byteOffset"] = start.at(buffer) + view.value("byteOffset", std::size_t{0});
+}
+
 }  // namespace
 
 std::string pictureType(std::span<const std::byte> bytes) {
@@ -74,10 +82,11 @@ GlbDraft carriedDraft(const CarriedGltf& carried) {
         OrderedJson none = OrderedJson::array();
         OrderedJson& views = draft.json.contains("bufferViews") ? draft.json["bufferViews"] : none;
         for (OrderedJson& view : views) {
-            const auto buffer = view.at("buffer").get<std::size_t>();
-            if (buffer == 0) continue;  // lies where it lay
-            view["buffer"] = 0;
-            view["byteOffset"] = start.at(buffer) + view.value("byteOffset", std::size_t{0});
+            moveView(view, start);
+            // Compressed copies that some loaders prefer to the plain bytes.
+            if (view.contains("extensions"))
+                for (OrderedJson& extension : view["extensions"])
+                    if (extension.contains("buffer")) moveView(extension, start);
         }
     }
     return draft;

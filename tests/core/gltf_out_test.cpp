@@ -1,0 +1,452 @@
+// gltf_out_test.cpp -- the promises of gltf_out.h.
+#include "core/gltf_out.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "core/animal.h"
+#include "core/files.h"
+#include "core/gltf_carried.h"
+#include "core/gltf_carry.h"
+#include "core/gltf_in.h"
+#include "core/strand.h"
+#include "gltf_samples.h"
+#include "gtest/gtest.h"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace test;
+
+Document opened(std::span<const std::byte> bytes) {
+    return openDocument(readGltf(bytes, "test.glb", nullptr));
+}
+
+// Another value at each vertex, with all fraction bits in use.
+void paint(Document& document, uint salt = 0) {
+    for (uint v = 0; v < document.groom.fur.size(); ++v) {
+        FurVertex& fur = document.groom.fur.edit(v);
+        const auto draw = [&](uint k) { return rand01(pcg(v * 8 + k + salt * 1000003)); };
+        fur.furLength = draw(0);
+        fur.density = draw(1);
+        fur.direction = (2.0f * vec3(draw(2), draw(3), draw(4)) - 1.0f) / std::sqrt(3.0f);
+    }
+    applyPreset(document.fur, presets()[salt % presets().size()]);
+    document.fur.seed = 77 + salt;
+}
+
+Document painted(std::span<const std::byte> bytes) {
+    Document document = opened(bytes);
+    paint(document);
+    return document;
+}
+
+void expectSameFields(const Document& a, const Document& b) {
+    ASSERT_EQ(a.groom.fur.size(), b.groom.fur.size());
+    std::size_t different = 0;
+    for (std::size_t v = 0; v < a.groom.fur.size(); ++v) {
+        const FurVertex &x = a.groom.fur[v], &y = b.groom.fur[v];
+        different += std::memcmp(&x.furLength, &y.furLength, sizeof(float)) != 0;
+        different += std::memcmp(&x.density, &y.density, sizeof(float)) != 0;
+        different += std::memcmp(&x.direction, &y.direction, sizeof(vec3)) != 0;
+    }
+    EXPECT_EQ(different, 0u);
+    EXPECT_EQ(furToJson(a.fur), furToJson(b.fur));
+}
+
+template <typename T>
+bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+void expectSameSource(const Source& a, const Source& b) {
+    EXPECT_TRUE(sameBits(a.positions, b.positions));
+    EXPECT_TRUE(sameBits(a.normals, b.normals));
+    EXPECT_TRUE(sameBits(a.uvs, b.uvs));
+    EXPECT_TRUE(sameBits(a.colors, b.colors));
+    EXPECT_EQ(a.segmentOf, b.segmentOf);
+    EXPECT_EQ(a.segments, b.segments);
+    EXPECT_TRUE(sameBits(a.vertexToWorld, b.vertexToWorld));
+    EXPECT_TRUE(sameBits(a.triangles, b.triangles));
+    EXPECT_EQ(a.parts.size(), b.parts.size());
+    EXPECT_EQ(a.materials.size(), b.materials.size());
+    ASSERT_EQ(a.images.size(), b.images.size());
+    for (std::size_t i = 0; i < a.images.size(); ++i)
+        EXPECT_EQ(a.images[i].bytes, b.images[i].bytes);
+}
+
+void expectRoundTrip(const Document& document, const ExportOptions& options = {}) {
+    const Document again = opened(groomedGlb(document, options));
+    expectSameFields(document, again);
+    expectSameSource(*document.skin->source, *again.skin->source);
+}
+
+// Takes away what an export adds, so that what is left is the source. `before` says what there was.
+void takeAway(OrderedJson& json, const OrderedJson& before) {
+    for (OrderedJson& mesh : json["meshes"])
+        for (OrderedJson& primitive : mesh["primitives"])
+            for (const char* name : {"_FUR_LENGTH", "_FUR_DENSITY", "_FUR_DIRECTION"})
+                primitive["attributes"].erase(name);
+    for (const char* list : {"meshes", "nodes"})
+        for (OrderedJson& object : json[list]) {
+            if (!object.contains("extras") || !object["extras"].is_object()) continue;
+            object["extras"].erase("fur");
+            if (object["extras"].empty()) object.erase("extras");
+        }
+    for (const char* list : {"accessors", "bufferViews"})
+        while (json[list].size() > before[list].size()) json[list].erase(json[list].size() - 1);
+}
+
+std::string sharedMesh(const std::string& name) {
+    return std::string(PELAGE_SHARED_DIR) + "/meshes/" + name;
+}
+
+// An empty folder that is removed at the end.
+struct Folder {
+    fs::path path = fs::temp_directory_path() /
+                    ("pelage-gltf-out-" +
+                     std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    Folder() {
+        fs::remove_all(path);
+        fs::create_directories(path);
+    }
+    ~Folder() { fs::remove_all(path); }
+    std::string put(const std::string& name, std::span<const std::byte> bytes) const {
+        std::ofstream(path / name, std::ios::binary)
+            .write(reinterpret_cast<const char*>(bytes.data()),
+                   static_cast<std::streamsize>(bytes.size()));
+        return (path / name).string();
+    }
+};
+
+// Text from (0,0) to (1,1) as a sheet of two triangles, one with a corner twice.
+const char* const kObj =
+    "v 0 0 0\nv 0.1 0 0\nv 0.1 0.3 0\nv 0 0.3 0\nv 9 9 9\n"
+    "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+    "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\nf 1/1 2/2 2/2\n";
+
+TEST(GltfOut, OpeningItRestoresTheFieldsBitForBit) { expectRoundTrip(painted(crowdedFile())); }
+
+TEST(GltfOut, OpeningItRestoresTheFieldsWithTheMirrorToo) {
+    ExportOptions options;
+    options.compatibilityUvs = true;
+    const Document document = painted(crowdedFile());
+    expectSameFields(document, opened(groomedGlb(document, options)));
+}
+
+TEST(GltfOut, CarriesTheJsonValueForValueInItsOrder) {
+    const std::vector<std::byte> file = crowdedFile();
+    const auto* text = reinterpret_cast<const char*>(file.data());
+    const OrderedJson before = OrderedJson::parse(text, text + file.size());
+    OrderedJson after = takeApart(groomedGlb(painted(file))).json;
+    takeAway(after, before);
+    for (const auto& [key, value] : before.items()) {
+        if (key == "buffers" || key == "bufferViews") continue;
+        EXPECT_EQ(after[key].dump(), value.dump()) << key;
+    }
+    // Of views, only buffer and byteOffset may differ.
+    for (std::size_t v = 0; v < before["bufferViews"].size(); ++v) {
+        OrderedJson was = before["bufferViews"][v], is = after["bufferViews"][v];
+        for (OrderedJson* view : {&was, &is}) view->erase("buffer"), view->erase("byteOffset");
+        EXPECT_EQ(is.dump(), was.dump());
+    }
+    std::vector<std::string> orderBefore, orderAfter;
+    for (const auto& [key, value] : before.items()) orderBefore.push_back(key);
+    for (const auto& [key, value] : after.items()) orderAfter.push_back(key);
+    EXPECT_EQ(orderAfter, orderBefore);
+}
+
+TEST(GltfOut, MergesBuffersByteForByte) {
+    const Glb glb = takeApart(groomedGlb(painted(crowdedFile())));
+    const auto buffers = crowdedBuffers();
+    const OrderedJson before = crowdedGltf({});
+    ASSERT_EQ(glb.json["buffers"].size(), 1u);
+    EXPECT_EQ(glb.json["buffers"][0]["byteLength"], glb.bin.size());
+    EXPECT_EQ(glb.json["buffers"][0]["name"], "zero");
+    EXPECT_FALSE(glb.json["buffers"][0].contains("uri"));
+    EXPECT_EQ(glb.json["buffers"][0]["extras"]["mergedBuffers"][1]["extras"]["kept"], true);
+    for (std::size_t v = 0; v < before["bufferViews"].size(); ++v) {
+        const OrderedJson &was = before["bufferViews"][v], &is = glb.json["bufferViews"][v];
+        const std::size_t from = was.value("byteOffset", 0u), to = is.value("byteOffset", 0u);
+        EXPECT_EQ(is["buffer"], 0);
+        EXPECT_EQ(to % 4, 0u);
+        EXPECT_EQ(std::memcmp(glb.bin.data() + to,
+                              buffers[was["buffer"].get<std::size_t>()].data() + from,
+                              was["byteLength"].get<std::size_t>()),
+                  0);
+    }
+}
+
+TEST(GltfOut, EveryPrimitiveOfTrianglesHasAllThreeFields) {
+    const OrderedJson json = takeApart(groomedGlb(painted(crowdedFile()))).json;
+    const OrderedJson& first = json["meshes"][0]["primitives"];
+    for (const OrderedJson* primitive : {&first[0], &first[2], &json["meshes"][1]["primitives"][0]})
+        for (const auto& [name, type] :
+             {std::pair("_FUR_LENGTH", "SCALAR"), std::pair("_FUR_DENSITY", "SCALAR"),
+              std::pair("_FUR_DIRECTION", "VEC3")}) {
+            const auto accessor =
+                json["accessors"][(*primitive)["attributes"][name].get<std::size_t>()];
+            EXPECT_EQ(accessor["type"], type);
+            EXPECT_EQ(accessor["componentType"], 5126);
+            EXPECT_EQ(accessor["count"], 3);
+            EXPECT_EQ(json["bufferViews"][accessor["bufferView"].get<std::size_t>()]["target"],
+                      34962);
+        }
+    EXPECT_FALSE(first[1]["attributes"].contains("_FUR_LENGTH"));
+    // One mesh is one skin: primitives that share positions share the fields.
+    EXPECT_EQ(first[0]["attributes"]["_FUR_LENGTH"], first[2]["attributes"]["_FUR_LENGTH"]);
+    EXPECT_NE(first[0]["attributes"]["_FUR_LENGTH"],
+              json["meshes"][1]["primitives"][0]["attributes"]["_FUR_LENGTH"]);
+}
+
+TEST(GltfOut, MinAndMaxAreThoseOfTheFloatsThatWereWritten) {
+    const Glb glb = takeApart(groomedGlb(groomedAnimal(2000), {true}));
+    for (std::size_t i = 0; i < glb.json["accessors"].size(); ++i) {
+        const OrderedJson& accessor = glb.json["accessors"][i];
+        if (!accessor.contains("min")) continue;
+        const std::size_t width = accessor["min"].size();
+        const std::vector<float> values = floatsOf(glb, i);
+        for (std::size_t c = 0; c < width; ++c) {
+            float least = values[c], greatest = values[c];
+            for (std::size_t v = c; v < values.size(); v += width) {
+                least = std::min(least, values[v]);
+                greatest = std::max(greatest, values[v]);
+            }
+            EXPECT_EQ(static_cast<float>(accessor["min"][c].get<double>()), least);
+            EXPECT_EQ(static_cast<float>(accessor["max"][c].get<double>()), greatest);
+        }
+    }
+}
+
+TEST(GltfOut, FurBlockIsOnMeshesAndTheNodesThatPlaceThem) {
+    const Document document = painted(crowdedFile());
+    const OrderedJson json = takeApart(groomedGlb(document)).json;
+    const OrderedJson block = OrderedJson::parse(furToJson(document.fur));
+    for (const OrderedJson* owner :
+         {&json["meshes"][0], &json["meshes"][1], &json["nodes"][0], &json["nodes"][1]})
+        EXPECT_EQ((*owner)["extras"]["fur"], block);
+    EXPECT_EQ(json["nodes"][0]["extras"]["a"].dump(), "[1,{\"b\":null}]");
+    EXPECT_EQ(json["nodes"][2]["extras"], 12.5);  // no object, so it is left alone
+}
+
+TEST(GltfOut, FurBlockGoesToTheAssetWhereNoOtherExtrasCanHoldIt) {
+    const auto file = crowdedFile(OrderedJson::parse(R"([
+        {"op": "replace", "path": "/meshes/0/extras", "value": "text"},
+        {"op": "add", "path": "/meshes/1/extras", "value": {"fur": "brown"}},
+        {"op": "replace", "path": "/nodes/0/extras", "value": []},
+        {"op": "add", "path": "/nodes/1/extras", "value": 3}])"));
+    const Document document = painted(file);
+    const auto bytes = groomedGlb(document);
+    const OrderedJson json = takeApart(bytes).json;
+    EXPECT_EQ(json["meshes"][0]["extras"], "text");
+    EXPECT_EQ(json["meshes"][1]["extras"]["fur"], "brown");
+    EXPECT_EQ(json["asset"]["extras"]["fur"]["seed"], document.fur.seed);
+    EXPECT_EQ(furToJson(opened(bytes).fur), furToJson(document.fur));
+}
+
+TEST(GltfOut, SavingTwentyTimesGivesTheSameBytes) {
+    for (const bool mirror : {false, true}) {
+        const auto first = groomedGlb(painted(crowdedFile()), {mirror});
+        auto bytes = first;
+        for (int i = 0; i < 20; ++i) bytes = groomedGlb(opened(bytes), {mirror});
+        EXPECT_EQ(bytes, first);
+    }
+}
+
+TEST(GltfOut, MirrorLeavesNothingBehindWhenItIsTurnedOff) {
+    const Document document = painted(crowdedFile());
+    const auto plain = groomedGlb(document, {false}), mirrored = groomedGlb(document, {true});
+    EXPECT_EQ(groomedGlb(opened(mirrored), {false}), plain);
+    EXPECT_EQ(groomedGlb(opened(plain), {true}), mirrored);
+}
+
+TEST(GltfOut, FieldsOfOtherProgramsAreReplacedAndTheFileStopsGrowing) {
+    const auto file = crowdedFile(OrderedJson::parse(R"([
+        {"op": "add", "path": "/meshes/0/primitives/0/attributes/__Fur_Length", "value": 2},
+        {"op": "add", "path": "/meshes/0/primitives/0/attributes/_fur_density", "value": 2}])"));
+    const Document document = painted(file);
+    const auto first = groomedGlb(document);
+    const OrderedJson attributes =
+        takeApart(first).json["meshes"][0]["primitives"][0]["attributes"];
+    EXPECT_EQ(attributes.size(), 4u) << attributes;
+    expectSameFields(document, opened(first));
+    EXPECT_EQ(groomedGlb(opened(first)), first);
+}
+
+TEST(GltfOut, AnotherGroomOfTheSameFileHasTheSameSize) {
+    Document document = painted(crowdedFile());
+    const auto first = groomedGlb(document);
+    Document again = opened(first);
+    paint(again, 1);
+    const auto second = groomedGlb(again);
+    expectSameFields(again, opened(second));
+    EXPECT_EQ(takeApart(first).bin.size(), takeApart(second).bin.size());
+}
+
+TEST(GltfOut, MirrorFollowsTheSetsInUseWithoutGaps) {
+    const Document document = painted(crowdedFile());
+    const Glb glb = takeApart(groomedGlb(document, {true}));
+    const OrderedJson& attributes = glb.json["meshes"][1]["primitives"][0]["attributes"];
+    EXPECT_EQ(attributes["TEXCOORD_0"], 4);
+    const auto zero = floatsOf(glb, attributes["TEXCOORD_1"].get<std::size_t>());
+    EXPECT_EQ(zero, std::vector<float>(6, 0.0f));
+    const auto lengths = floatsOf(glb, attributes["_FUR_LENGTH"].get<std::size_t>());
+    const auto densities = floatsOf(glb, attributes["_FUR_DENSITY"].get<std::size_t>());
+    const auto directions = floatsOf(glb, attributes["_FUR_DIRECTION"].get<std::size_t>());
+    const auto a = floatsOf(glb, attributes["TEXCOORD_2"].get<std::size_t>());
+    const auto b = floatsOf(glb, attributes["TEXCOORD_3"].get<std::size_t>());
+    const auto c = floatsOf(glb, attributes["TEXCOORD_4"].get<std::size_t>());
+    for (std::size_t v = 0; v < 3; ++v) {
+        EXPECT_EQ(a[2 * v], lengths[v]);
+        EXPECT_EQ(a[2 * v + 1], densities[v]);
+        EXPECT_EQ(b[2 * v], directions[3 * v]);
+        EXPECT_EQ(b[2 * v + 1], directions[3 * v + 1]);
+        EXPECT_EQ(c[2 * v], directions[3 * v + 2]);
+        EXPECT_EQ(c[2 * v + 1], 0.0f);
+    }
+    EXPECT_EQ(glb.json["meshes"][1]["extras"]["fur"]["uvSet"], 2);
+}
+
+TEST(GltfOut, MirrorStartsLaterWhereTheSetsAreTaken) {
+    const auto file = crowdedFile(OrderedJson::parse(R"([
+        {"op": "add", "path": "/meshes/1/primitives/0/attributes/TEXCOORD_1", "value": 4},
+        {"op": "add", "path": "/meshes/1/primitives/0/attributes/TEXCOORD_2", "value": 4}])"));
+    const OrderedJson json = takeApart(groomedGlb(painted(file), {true})).json;
+    for (const std::size_t mesh : {0u, 1u}) {
+        const OrderedJson& attributes = json["meshes"][mesh]["primitives"][0]["attributes"];
+        for (int set = 0; set < 6; ++set)
+            EXPECT_TRUE(attributes.contains("TEXCOORD_" + std::to_string(set))) << attributes;
+        EXPECT_EQ(json["meshes"][mesh]["extras"]["fur"]["uvSet"], 3);
+    }
+    EXPECT_EQ(json["meshes"][1]["primitives"][0]["attributes"]["TEXCOORD_2"], 4);
+}
+
+TEST(GltfOut, ExternalBuffersAndPicturesAreEmbedded) {
+    const Folder folder;
+    const auto buffers = crowdedBuffers();
+    OrderedJson json = crowdedGltf({"a.bin", "b.bin", "c.bin"});
+    json["images"][0]["uri"] = "fell.png";
+    const std::string text = json.dump(1);
+    folder.put("a.bin", buffers[0]);
+    folder.put("b.bin", buffers[1]);
+    folder.put("c.bin", buffers[2]);
+    folder.put("fell.png", pictureBytes());
+    const std::string path = folder.put("crowded.gltf", std::as_bytes(std::span(text)));
+    Document document = openDocument(readSource(path));
+    paint(document);
+
+    const std::string output = (folder.path / "out.glb").string();
+    writeGroomedGlb(document, output);
+    for (const char* name : {"a.bin", "b.bin", "c.bin", "fell.png"}) fs::remove(folder.path / name);
+    const Document again = openDocument(readSource(output));
+    expectSameFields(document, again);
+    expectSameSource(*document.skin->source, *again.skin->source);
+    const Glb glb = takeApart(readFile(output, 1 << 20));
+    EXPECT_EQ(glb.json["images"][0]["mimeType"], "image/png");
+    EXPECT_FALSE(glb.json["images"][0].contains("uri"));
+    EXPECT_EQ(groomedGlb(again), readFile(output, 1 << 20));
+}
+
+TEST(GltfOut, OtherSourcesBecomeOneMeshWithTheirVerticesInOrder) {
+    const Folder folder;
+    const std::string path =
+        folder.put("sheet.obj", std::as_bytes(std::span(kObj, std::strlen(kObj))));
+    Document document = openDocument(readSource(path));
+    paint(document);
+    expectRoundTrip(document);
+    const OrderedJson json = takeApart(groomedGlb(document)).json;
+    EXPECT_EQ(json["meshes"].size(), 1u);
+    EXPECT_EQ(json["nodes"].size(), 1u);
+    EXPECT_EQ(document.skin->report.degenerateFaces, 1u);
+    EXPECT_EQ(document.skin->triangles.size(), 3u);
+}
+
+TEST(GltfOut, NormalsOfOtherSourcesAreMadeUnit) {
+    Source source = makeAnimal(2000);
+    source.normals[0] *= 3.0f;
+    source.normals[1] = vec3(0.0f);
+    const Glb glb = takeApart(groomedGlb(openDocument(std::move(source))));
+    const auto accessor = glb.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"];
+    const std::vector<float> normals = floatsOf(glb, accessor.get<std::size_t>());
+    for (std::size_t i = 0; i < normals.size(); i += 3)
+        ASSERT_NEAR(glm::length(vec3(normals[i], normals[i + 1], normals[i + 2])), 1.0f, 1e-3f);
+}
+
+TEST(GltfOut, BuiltInAnimalComesBackWithItsSegments) {
+    const Document document = groomedAnimal(2000);
+    expectRoundTrip(document);
+    const Document again = opened(groomedGlb(document));
+    EXPECT_FALSE(again.skin->segments().empty());
+    EXPECT_EQ(groomedGlb(again), groomedGlb(document));
+}
+
+TEST(GltfOut, FoxKeepsJointsAnimationsAndTheirData) {
+    const std::string path = sharedMesh("Fox.glb");
+    if (!fs::exists(path)) GTEST_SKIP() << path << " is not there";
+    const Glb before = takeApart(readFile(path, 1 << 24));
+    Document document = openDocument(readSource(path));
+    paint(document);
+    expectRoundTrip(document);
+    Glb after = takeApart(groomedGlb(document));
+    EXPECT_EQ(after.json["skins"][0]["joints"].size(), 24u);
+    EXPECT_EQ(after.json["animations"].size(), 3u);
+    takeAway(after.json, before.json);
+    after.json["buffers"][0]["byteLength"] = before.json["buffers"][0]["byteLength"];
+    EXPECT_EQ(after.json.dump(), before.json.dump());
+    ASSERT_GE(after.bin.size(), before.json["buffers"][0]["byteLength"].get<std::size_t>());
+    EXPECT_EQ(std::memcmp(after.bin.data(), before.bin.data(),
+                          before.json["buffers"][0]["byteLength"].get<std::size_t>()),
+              0);
+}
+
+TEST(GltfOut, SharedMeshesComeBackBitForBit) {
+    for (const char* name : {"stanford-bunny.obj", "teapot.obj", "teapot-2204.glb", "suzanne.obj",
+                             "spot.obj", "Fox.glb"}) {
+        if (!fs::exists(sharedMesh(name))) GTEST_SKIP() << sharedMesh(name) << " is not there";
+        SCOPED_TRACE(name);
+        Document document = openDocument(readSource(sharedMesh(name)));
+        paint(document);
+        const auto bytes = groomedGlb(document);
+        const Document again = opened(bytes);
+        expectSameFields(document, again);
+        EXPECT_TRUE(sameBits(document.skin->source->positions, again.skin->source->positions));
+        EXPECT_TRUE(sameBits(document.skin->source->triangles, again.skin->source->triangles));
+        EXPECT_EQ(groomedGlb(again), bytes);
+    }
+}
+
+TEST(GltfOut, CancelledWorkThrowsAndWritesNothing) {
+    const Folder folder;
+    Progress progress;
+    progress.cancel = true;
+    const std::string path = (folder.path / "out.glb").string();
+    EXPECT_THROW(writeGroomedGlb(groomedAnimal(2000), path, {}, &progress), Cancelled);
+    EXPECT_FALSE(fs::exists(path));
+}
+
+TEST(GltfOut, ContainerIsAligned) {
+    const auto bytes = groomedGlb(painted(crowdedFile()));
+    EXPECT_EQ(wordAt(bytes, 0), 0x46546C67u);
+    EXPECT_EQ(wordAt(bytes, 4), 2u);
+    EXPECT_EQ(wordAt(bytes, 8), bytes.size());
+    EXPECT_EQ(wordAt(bytes, 12) % 4, 0u);
+    EXPECT_EQ(bytes.size() % 4, 0u);
+}
+
+TEST(PictureType, IsDecidedByTheFirstBytes) {
+    const auto of = [](std::string_view text) {
+        return pictureType(std::as_bytes(std::span(text)));
+    };
+    EXPECT_EQ(of("\x89PNG\r\n\x1A\nrest"), "image/png");
+    EXPECT_EQ(of("\xFF\xD8\xFF\xE0"), "image/jpeg");
+    EXPECT_EQ(of("RIFF1234WEBPVP8 "), "image/webp");
+    EXPECT_EQ(of("\xABKTX 20\xBB\r\n\x1A\n"), "image/ktx2");
+    EXPECT_EQ(of("GIF89a"), "");
+    EXPECT_EQ(of(""), "");
+}
+
+}  // namespace
+}  // namespace pelage
