@@ -15,6 +15,7 @@ namespace {
 constexpr double kCombStep = 1.0 / 8.0;  // of the radius, between two looks at the path's direction
 constexpr float kLeastRadius = 1e-3f;    // of the skin's size; bounds the number of comb steps
 constexpr float kFarthest = 2.0f;        // sizes from the middle of the skin
+constexpr float kSmoothReach = 1.0f / 3.0f;  // of the radius, over which smooth takes its mean
 constexpr float kFacingRamp =
     0.2f;  // cosine to the cursor's normal from which a vertex counts in full
 
@@ -63,6 +64,7 @@ Stroke::Stroke(const SkinQuery& query, Groom before, Brush brush)
     assert(brush.radius > 0.0f && brush.strength >= 0.0f && brush.strength <= 1.0f);
     assert(before_.fur.size() == query.skin().vertices.size());
     assert(before_.mask.size() == query.skin().vertices.size());
+    if (brush.tool == Tool::smooth) averages_.emplace(query, before_, kSmoothReach * radius());
 }
 
 void Stroke::dab(Groom& groom, vec3 position, vec3 normal) {
@@ -128,7 +130,8 @@ void Stroke::cover(Groom& groom, const Piece& piece) {
         Touch touched = touched_[v];
         if (!touch(skin.vertices[v], piece, touched)) continue;
         touched_.edit(v) = touched;
-        const Touching touching{touched.coverage, touched.combed};
+        Touching touching{touched.coverage, touched.combed, {}};
+        if (averages_) touching.around = averages_->around(v);
         writeVertex(groom, v, brushedFur(skin, before_, brush_, v, touching),
                     brushedMask(before_, brush_, v, touching));
     }
@@ -172,10 +175,12 @@ std::string Stroke::line() const {
 
 void flood(const Skin& skin, Groom& groom, const Brush& brush, vec3 direction) {
     const Groom before = groom;  // smooth looks at neighbours
-    const Touching touching{1.0f, direction};
-    for (uint v = 0; v < skin.vertices.size(); ++v)
+    Touching touching{1.0f, direction, {}};
+    for (uint v = 0; v < skin.vertices.size(); ++v) {
+        if (brush.tool == Tool::smooth) touching.around = ringMean(skin, before, v);
         writeVertex(groom, v, brushedFur(skin, before, brush, v, touching),
                     brushedMask(before, brush, v, touching));
+    }
 }
 
 }  // namespace pelage

@@ -5,11 +5,13 @@
 // and overlaps do not add up. Comb sums directions along a path resampled at a fixed spacing.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "averages.h"
 #include "groom.h"
 #include "skin_query.h"
 
@@ -89,15 +91,17 @@ private:
     const SkinQuery* query_;
     Groom before_;
     Brush brush_;
-    Chunked<Touch> touched_;       // one per skin vertex
-    std::vector<Sample> samples_;  // as they came
-    vec3 lastStep_{0.0f};          // last place at which the comb looked at its direction
-    double sinceStep_ = 0.0;       // m of path since then
-    std::vector<uint> found_;      // kept between dabs for its memory
+    Chunked<Touch> touched_;            // one per skin vertex
+    std::optional<Averages> averages_;  // of smooth
+    std::vector<Sample> samples_;       // as they came
+    vec3 lastStep_{0.0f};               // last place at which the comb looked at its direction
+    double sinceStep_ = 0.0;            // m of path since then
+    std::vector<uint> found_;           // kept between dabs for its memory
 };
 
 // The same tool over the entire skin at full coverage; masked vertices keep their values by the
 // share of the mask. For comb: `direction` (world) is laid onto the tangent plane of each vertex.
+// Smooth evens out over one-rings.
 void flood(const Skin& skin, Groom& groom, const Brush& brush, vec3 direction = vec3(0.0f));
 
 }  // namespace pelage

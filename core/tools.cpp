@@ -71,27 +71,18 @@ vec3 combed(const Skin& skin, const FurVertex& before, const Brush& brush, uint 
     return shortened(furToMesh(skin, v, fur).direction);
 }
 
-// Sums differences and not values, so that an even field stays as it is to the last bit.
-FurVertex smoothed(const Skin& skin, const Groom& before, uint v, float share) {
-    const FurVertex old = before.fur[v];
-    const std::span<const uint> ring = skin.ring(v);
-    if (ring.empty()) return old;
+// Adds differences and mixes no values, so that an even field stays as it is to the last bit.
+FurVertex smoothed(const Skin& skin, const FurVertex& old, uint v, const FurVertex& around,
+                   float share) {
     const FurVertex here = furToWorld(skin, v, old);
     FurVertex change{};
-    for (const uint u : ring) {
-        const FurVertex there = furToWorld(skin, u, before.fur[u]);
-        change.furLength += there.furLength - here.furLength;
-        change.density += there.density - here.density;
-        change.direction += there.direction - here.direction;
-    }
-    const float weight = share / static_cast<float>(ring.size());
-    change.furLength *= weight;
-    change.direction *= weight;
-    const FurVertex inMesh = furToMesh(skin, v, change);
+    change.furLength = share * (around.furLength - here.furLength);
+    change.direction = share * (around.direction - here.direction);
+    change = furToMesh(skin, v, change);
     FurVertex fur = old;
-    fur.furLength = std::clamp(old.furLength + inMesh.furLength, 0.0f, kGreatestLength);
-    fur.density = std::clamp(old.density + weight * change.density, 0.0f, 1.0f);
-    if (inMesh.direction != vec3(0.0f)) fur.direction = shortened(old.direction + inMesh.direction);
+    fur.furLength = std::clamp(old.furLength + change.furLength, 0.0f, kGreatestLength);
+    fur.density = std::clamp(old.density + share * (around.density - old.density), 0.0f, 1.0f);
+    if (change.direction != vec3(0.0f)) fur.direction = shortened(old.direction + change.direction);
     return fur;
 }
 
@@ -133,7 +124,7 @@ FurVertex brushedFur(const Skin& skin, const Groom& before, const Brush& brush, 
             fur.direction = combed(skin, old, brush, v, touching, share);
             break;
         case Tool::smooth:
-            fur = smoothed(skin, before, v, share);
+            fur = smoothed(skin, old, v, touching.around, share);
             break;
         case Tool::mask:
             break;

@@ -241,6 +241,9 @@ TEST(Stroke, MirrorIsSymmetric) {
         canvas.query.within({-p.x, p.y, p.z}, 1e-4f, found);
         ASSERT_EQ(found.size(), 1u);
         twin[v] = found[0];
+        canvas.groom.fur.edit(v).furLength =
+            0.05f + 0.02f * std::sin(9.0f * p.y + 5.0f * p.x * p.x);
+        canvas.groom.fur.edit(v).direction = vec3(0.3f * p.x * p.z, 0.4f * p.y, -0.5f);
     }
     for (const Tool tool : kAllTools) {
         Brush brush = brushOf(tool, Mode::add, 0.4f);
@@ -260,7 +263,7 @@ TEST(Stroke, MirrorIsSymmetric) {
             EXPECT_LT(glm::distance(here.direction * vec3(-1, 1, 1), there.direction), 1e-4f)
                 << toolInfo(tool).name;
         }
-        EXPECT_TRUE(tool == Tool::smooth || !equalValues(after, canvas.groom));
+        EXPECT_FALSE(equalValues(after, canvas.groom));
     }
 }
 
@@ -351,6 +354,29 @@ TEST(Stroke, SmoothEvensOut) {
         return sum;
     };
     EXPECT_LT(roughness(after), 0.6 * roughness(canvas.groom));
+}
+
+TEST(Stroke, SmoothEvensOutADenseMeshBeyondTheRing) {
+    Canvas canvas(test::sheet(200));
+    for (uint v = 0; v < canvas.skin->vertices.size(); ++v)
+        canvas.groom.fur.edit(v).furLength =
+            canvas.skin->vertices[v].position.x < 0.0f ? 0.1f : 0.0f;
+    const Groom after = canvas.painted(brushOf(Tool::smooth), {vec3(0.0f)});
+    std::vector<uint> found;
+    canvas.query.within({0.0301f, 0.0f, 0.0f}, 1e-3f, found);  // six edges from the step
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_GT(after.fur[found[0]].furLength, 0.01f);
+    EXPECT_LT(after.fur[found[0]].furLength, 0.05f);
+}
+
+TEST(Stroke, SmoothDoesNotMixTheSidesOfAThinSheet) {
+    Canvas canvas(test::twoSheets(60, 0.004f));
+    for (uint v = 0; v < canvas.skin->vertices.size(); ++v)
+        canvas.groom.fur.edit(v).furLength =
+            canvas.skin->vertices[v].position.y < 0.0f ? 0.1f : 0.3f;
+    Brush brush = brushOf(Tool::smooth);
+    brush.facingOnly = false;
+    EXPECT_EQ(canvas.painted(brush, {vec3(0.0f), vec3(0.1f, 0.0f, 0.0f)}), canvas.groom);
 }
 
 TEST(Stroke, DabRewritesOnlyItsFootprint) {
