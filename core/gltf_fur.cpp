@@ -82,13 +82,17 @@ void place(std::vector<T>& all, const SourcePart& part, const std::vector<T>& va
     all.insert(all.end(), values.begin(), values.end());
 }
 
-std::string blockOf(const GltfFile& file, const char* section) {
-    for (std::size_t i = 0; i < file.count(section); ++i) {
-        const JsonPlace place = file.element(section, i);
-        if (!place.has("extras")) continue;
-        const Json& extras = place.json().at("extras");
-        if (extras.is_object() && extras.contains("fur")) return extras.at("fur").dump();
-    }
+// extras.fur of the object if that is a block: others may mean something else by "fur".
+std::string blockOf(const JsonPlace& place) {
+    if (!place.has("extras")) return {};
+    const Json& extras = place.json().at("extras");
+    if (!extras.is_object() || !extras.contains("fur") || !extras.at("fur").is_object()) return {};
+    return extras.at("fur").dump();
+}
+
+std::string firstBlock(const GltfFile& file, const char* section) {
+    for (std::size_t i = 0; i < file.count(section); ++i)
+        if (std::string block = blockOf(file.element(section, i)); !block.empty()) return block;
     return {};
 }
 
@@ -143,8 +147,9 @@ void readFurSegments(GltfFile& file, Source& source, const SourcePart& part, con
 }
 
 std::string furBlock(const GltfFile& file) {
-    std::string block = blockOf(file, "meshes");
-    return block.empty() ? blockOf(file, "nodes") : block;
+    for (const char* section : {"meshes", "nodes"})
+        if (std::string block = firstBlock(file, section); !block.empty()) return block;
+    return blockOf(file.root().at("asset"));
 }
 
 }  // namespace pelage

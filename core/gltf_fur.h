@@ -19,7 +19,8 @@ void readFurFields(GltfFile& file, Source& source, const SourcePart& part,
 void readFurSegments(GltfFile& file, Source& source, const SourcePart& part, const JsonPlace& mesh,
                      const JsonPlace& primitive);
 
-// The extras.fur of the first mesh that has one, else of the first node, as JSON; "" for none.
+// The extras.fur of the first mesh that has one, else of the first node, else of the asset, as
+// JSON; "" for none. Only objects count.
 std::string furBlock(const GltfFile& file);
 
 }  // namespace pelage
