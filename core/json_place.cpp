@@ -1,6 +1,8 @@
 // json_place.cpp -- the checks behind JsonPlace.
 #include "json_place.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <stdexcept>
 
@@ -38,8 +40,11 @@ JsonPlace JsonPlace::at(const std::string& member) const {
     if (!value_->is_object()) refuse("is " + shown(*value_) + ", not an object");
     const auto found = value_->find(member);
     if (found == value_->end()) refuse("has no " + inQuotes(member));
-    // Names of members come from the file, too, and may be of any length.
-    const std::string name = member.size() > 80 ? member.substr(0, 80) + "..." : member;
+    // Names of members come from the file, too, and may hold anything.
+    const bool plain = member.size() <= 40 && std::all_of(member.begin(), member.end(), [](char c) {
+                           return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+                       });
+    const std::string name = plain ? member : inQuotes(member);
     return {*file_, *found, text_.empty() ? name : text_ + "." + name};
 }
 

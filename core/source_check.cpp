@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "beside.h"
+
 namespace pelage {
 namespace {
 
@@ -28,8 +30,7 @@ void checkPlaces(const Source& source, const std::string& file) {
                 continue;
             const bool finite =
                 std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z);
-            const std::string where =
-                part.name.empty() ? "" : "mesh \"" + part.name.substr(0, 80) + "\": ";
+            const std::string where = part.name.empty() ? "" : "mesh " + inQuotes(part.name) + ": ";
             throw std::runtime_error(
                 file + ": " + where + "vertex " + std::to_string(v - part.firstVertex) +
                 (finite ? " is more than 1e12 from the origin" : " is not at a finite place"));
