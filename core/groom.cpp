@@ -1,0 +1,112 @@
+// groom.cpp -- the first groom of a skin, and what a groom's fields span.
+#include "groom.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pelage {
+namespace {
+
+constexpr float kShareOfSize = 0.04f;  // length of hair nobody has painted, of the bounds' diagonal
+constexpr float kLean = 0.5f;          // its |direction|
+// Without segments: down and to the back of an animal that looks along +z.
+constexpr vec3 kDownAndBack{0.0f, -0.8f, -0.6f};
+
+// The first source vertex of each skin vertex, in file order.
+std::vector<uint> firstSourceVertex(const Skin& skin) {
+    constexpr uint kNone = ~0u;
+    std::vector<uint> first(skin.vertices.size(), kNone);
+    for (uint v = 0; v < skin.weld.size(); ++v) {
+        if (first[skin.weld[v]] == kNone) first[skin.weld[v]] = v;
+    }
+    return first;
+}
+
+float distanceToAxis(vec3 p, const Segment& segment) {
+    const vec3 axis = segment.tip - segment.root;
+    const float size = glm::dot(axis, axis);
+    const float t =
+        size > 0.0f ? std::clamp(glm::dot(p - segment.root, axis) / size, 0.0f, 1.0f) : 0.0f;
+    return glm::length(p - segment.root - t * axis);
+}
+
+// The axes of the segments near a point, by the inverse fourth power of their distance: smooth, and
+// within a segment nearly its own axis.
+vec3 combNear(std::span<const Segment> segments, uint own, vec3 p, float size) {
+    vec3 sum(0.0f);
+    for (uint s = 0; s < segments.size(); ++s) {
+        const vec3 axis = segments[s].tip - segments[s].root;
+        const float length = glm::length(axis);
+        if (!(length > 0.0f)) continue;
+        const float near = 0.01f * size + distanceToAxis(p, segments[s]);
+        const float share = size / near;
+        const float weight = share * share * share * share * (s == own ? 2.0f : 1.0f);
+        sum += weight * axis / length;
+    }
+    const float length = glm::length(sum);
+    return length > 1e-6f ? sum / length : kDownAndBack;
+}
+
+// Laid on the skin; shorter where the skin faces along it and no direction is right.
+vec3 laidOnSkin(vec3 comb, vec3 normal) {
+    const vec3 tangential = comb - glm::dot(comb, normal) * normal;
+    return kLean * tangential / std::max(glm::length(tangential), 0.4f);
+}
+
+}  // namespace
+
+Groom initialGroom(const Skin& skin) {
+    const std::size_t count = skin.vertices.size();
+    Groom groom{Chunked<FurVertex>(count, FurVertex{}), Chunked<float>(count, 0.0f)};
+    const SourceFur* carried = skin.source->fur.get();
+    if (carried) {
+        // Of welded vertices with different values the first in the file counts.
+        const std::vector<uint> first = firstSourceVertex(skin);
+        for (uint v = 0; v < count; ++v) {
+            FurVertex& fur = groom.fur.edit(v);
+            fur.direction = carried->direction[first[v]];
+            fur.furLength = carried->length[first[v]];
+            fur.density = carried->density[first[v]];
+        }
+        return groom;
+    }
+    const std::span<const Segment> segments = skin.segments();
+    const float size = skin.size();
+    for (uint v = 0; v < count; ++v) {
+        const SkinVertex& vertex = skin.vertices[v];
+        const vec3 comb = segments.empty()
+                              ? kDownAndBack
+                              : combNear(segments, vertex.segment, vertex.position, size);
+        FurVertex fur{};
+        fur.direction = laidOnSkin(comb, vertex.normal);
+        fur.furLength = kShareOfSize * size;
+        fur.density = 1.0f;
+        groom.fur.edit(v) = furToMesh(skin, v, fur);
+    }
+    return groom;
+}
+
+FieldRange fieldRange(const Groom& groom, Channel channel) {
+    const auto value = [&](std::size_t v) {
+        switch (channel) {
+            case Channel::length:
+                return groom.fur[v].furLength;
+            case Channel::density:
+                return groom.fur[v].density;
+            case Channel::direction:
+                return glm::length(groom.fur[v].direction);
+            case Channel::mask:
+                return groom.mask[v];
+        }
+        return 0.0f;
+    };
+    FieldRange range;
+    for (std::size_t v = 0; v < groom.fur.size(); ++v) {
+        const float x = value(v);
+        range.least = v == 0 ? x : std::min(range.least, x);
+        range.greatest = v == 0 ? x : std::max(range.greatest, x);
+    }
+    return range;
+}
+
+}  // namespace pelage
