@@ -20,6 +20,7 @@ namespace {
 
 using Label = unsigned char;  // 2 * axis, + 1 for the negative direction
 constexpr uint kNone = ~0u;
+constexpr float kLeastFacing = 0.2f;  // cosine; no triangle is seen at a flatter angle
 constexpr float kMargin = 3.0f / float(kPictureSize);  // around each chart, share of the side
 
 float facing(vec3 normal, Label label) {
@@ -93,7 +94,6 @@ std::vector<uvec3> neighbours(const std::vector<uvec3>& triangles) {
 // A side for each triangle: the one it faces most, without frayed borders.
 std::vector<Label> chooseSides(const std::vector<vec3>& normals, const std::vector<uvec3>& across) {
     constexpr int kRounds = 4;
-    constexpr float kLeastFacing = 0.3f;  // a triangle is never shortened more than this
     std::vector<Label> labels(normals.size());
     for (std::size_t t = 0; t < labels.size(); ++t) labels[t] = mainLabel(normals[t]);
     std::vector<Label> next = labels;
@@ -152,7 +152,7 @@ void mergeCrumbs(std::vector<Label>& labels, const std::vector<vec3>& normals,
         votes[chart.label] = 0;
         for (Label label = 0; label < 6; ++label) {
             for (const uint t : chart.triangles) {
-                if (facing(normals[t], label) < 0.15f) votes[label] = 0;
+                if (facing(normals[t], label) < kLeastFacing) votes[label] = 0;
             }
         }
         const auto best = std::max_element(votes.begin(), votes.end());
@@ -246,7 +246,7 @@ std::vector<Chart> makeCharts(const Surface& surface) {
     const std::vector<vec3> normals = faceNormals(surface);
     const std::vector<uvec3> across = neighbours(surface.triangles);
     std::vector<Label> labels = chooseSides(normals, across);
-    mergeCrumbs(labels, normals, across);
+    for (int round = 0; round < 3; ++round) mergeCrumbs(labels, normals, across);
     std::vector<Chart> pieces = connectedPieces(labels, across);
     std::vector<std::vector<Chart>> parts(pieces.size());
     tbb::parallel_for(std::size_t(0), pieces.size(), [&](std::size_t i) {

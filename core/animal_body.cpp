@@ -33,11 +33,11 @@ enum SegmentId : uint {
 vec3 unit(vec3 v) { return v / std::sqrt(glm::dot(v, v)); }
 
 // Joints, m. The left side (x > 0, the animal looks along +z) stands for both.
-constexpr vec3 kNose{0.0f, 0.566f, 0.447f};
-constexpr vec3 kMuzzleBase{0.0f, 0.580f, 0.345f};
+constexpr vec3 kNose{0.0f, 0.553f, 0.451f};
+constexpr vec3 kMuzzleBase{0.0f, 0.565f, 0.345f};
 constexpr vec3 kOcciput{0.0f, 0.620f, 0.185f};
-constexpr vec3 kEarRoot{0.064f, 0.668f, 0.262f};
-constexpr vec3 kEarTip{0.101f, 0.796f, 0.248f};
+constexpr vec3 kEarRoot{0.066f, 0.676f, 0.262f};
+constexpr vec3 kEarTip{0.106f, 0.806f, 0.246f};
 constexpr vec3 kWithers{0.0f, 0.430f, 0.140f};
 constexpr vec3 kRump{0.0f, 0.385f, -0.235f};
 constexpr vec3 kShoulder{0.056f, 0.350f, 0.128f};
@@ -114,37 +114,35 @@ Part paired(Part part) {
 void addTrunk(std::vector<Part>& parts) {
     const vec3 back(0.0f, -0.12f, -1.0f);
     parts.push_back(combed(
-        cone(kTrunk, {0.0f, 0.365f, 0.120f}, 0.106f, {0.0f, 0.385f, -0.060f}, 0.088f, 0.0f, 0.040f),
+        cone(kTrunk, {0.0f, 0.368f, 0.120f}, 0.110f, {0.0f, 0.385f, -0.060f}, 0.094f, 0.0f, 0.042f),
         back));
-    parts.push_back(combed(cone(kTrunk, {0.0f, 0.385f, -0.060f}, 0.088f, {0.0f, 0.375f, -0.185f},
-                                0.096f, 0.07f, 0.042f),
+    parts.push_back(combed(cone(kTrunk, {0.0f, 0.385f, -0.060f}, 0.094f, {0.0f, 0.377f, -0.180f},
+                                0.099f, 0.07f, 0.044f),
                            back));
-    parts.push_back(painted(ball(kTrunk, {0.0f, 0.355f, 0.172f}, {0.078f, 0.098f, 0.074f}, 0.05f,
-                                 0.058f, {0, -1, -0.45f}),
+    parts.push_back(painted(ball(kTrunk, {0.0f, 0.358f, 0.172f}, {0.080f, 0.100f, 0.076f}, 0.05f,
+                                 0.060f, {0, -1, -0.45f}),
                             Paint::ruff));
-    parts.push_back(combed(
-        cone(kNeck, {0.0f, 0.545f, 0.225f}, 0.076f, {0.0f, 0.430f, 0.135f}, 0.094f, 0.06f, 0.048f),
-        {0.0f, -0.75f, -0.65f}));
+    parts.push_back(painted(combed(cone(kNeck, {0.0f, 0.548f, 0.225f}, 0.080f,
+                                        {0.0f, 0.440f, 0.125f}, 0.098f, 0.06f, 0.052f),
+                                   {0.0f, -0.75f, -0.65f}),
+                            Paint::neck));
 }
 
 void addHead(std::vector<Part>& parts, float cell) {
-    parts.push_back(ball(kHead, {0.0f, 0.606f, 0.272f}, {0.110f, 0.098f, 0.102f}, 0.045f, 0.016f,
-                         {0, 0.1f, -1}));
-    parts.push_back(paired(painted(ball(kHead, {0.068f, 0.574f, 0.292f}, {0.056f, 0.050f, 0.054f},
-                                        0.040f, 0.026f, {0.45f, -0.4f, -1}),
-                                   Paint::cream)));
-    parts.push_back(
-        painted(combed(cone(kMuzzle, kMuzzleBase, 0.056f, kNose - vec3(0.0f, 0.004f, 0.022f),
-                            0.0245f, 0.050f, 0.009f),
-                       {0.0f, 0.1f, -1.0f}),
-                Paint::coat));
-    parts.push_back(painted(combed(cone(kMuzzle, {0.0f, 0.551f, 0.345f}, 0.040f,
-                                        {0.0f, 0.543f, 0.408f}, 0.019f, 0.022f, 0.009f),
-                                   {0.0f, -0.2f, -1.0f}),
-                            Paint::cream));
+    const auto head = [](Part part) { return painted(part, Paint::head); };
+    parts.push_back(head(ball(kHead, {0.0f, 0.612f, 0.272f}, {0.114f, 0.100f, 0.106f}, 0.045f,
+                              0.016f, {0, 0.1f, -1})));
+    parts.push_back(paired(head(ball(kHead, {0.070f, 0.574f, 0.296f}, {0.060f, 0.052f, 0.058f},
+                                     0.040f, 0.028f, {0.45f, -0.4f, -1}))));
+    parts.push_back(head(combed(cone(kMuzzle, kMuzzleBase, 0.054f,
+                                     kNose - vec3(0.0f, 0.004f, 0.022f), 0.0250f, 0.038f, 0.009f),
+                                {0.0f, 0.1f, -1.0f})));
+    parts.push_back(head(combed(cone(kMuzzle, {0.0f, 0.540f, 0.345f}, 0.040f,
+                                     {0.0f, 0.530f, 0.412f}, 0.020f, 0.022f, 0.009f),
+                                {0.0f, -0.2f, -1.0f})));
     const float thin = std::max(0.36f, std::min(1.0f, 0.6f * cell / 0.056f));
     Part ear = paired(
-        painted(cone(kLeftEar, kEarRoot, 0.058f, kEarTip, 0.0170f, 0.020f, 0.012f), Paint::ear));
+        painted(cone(kLeftEar, kEarRoot, 0.060f, kEarTip, 0.0170f, 0.020f, 0.012f), Paint::ear));
     ear.form = Form::ear;
     ear.rb = std::max(ear.rb, 0.37f * cell / thin);
     ear.radii = vec3(thin, cell < 0.03f ? 0.012f : 0.0f, 0.0f);
@@ -152,9 +150,9 @@ void addHead(std::vector<Part>& parts, float cell) {
     const vec3 forward(0.42f, 0.05f, 1.0f);
     ear.facing = unit(forward - glm::dot(forward, up) * up);
     parts.push_back(ear);
-    const float eye = std::max(0.0205f, 0.4f * cell);
+    const float eye = std::max(0.0215f, 0.4f * cell);
     parts.push_back(paired(painted(
-        ball(kHead, {0.0560f, 0.6120f, 0.3465f}, {eye, eye, eye}, 0.0035f, 0.004f, {0, 0.3f, -1}),
+        ball(kHead, {0.0570f, 0.6120f, 0.3515f}, {eye, eye, eye}, 0.0035f, 0.004f, {0, 0.3f, -1}),
         Paint::eye)));
     const float nose = std::max(1.0f, 0.4f * cell / 0.017f);
     parts.push_back(painted(
@@ -169,21 +167,25 @@ void addLegs(std::vector<Part>& parts, float cell) {
         return paired(cone(segment, a, std::max(ra, least), b, std::max(rb, least), blend, fur));
     };
     const vec3 down(0.0f, -1.0f, -0.25f);
+    const vec3 ahead(0.0f, -0.35f, 1.0f);
     parts.push_back(
-        combed(limb(kLeftArm, kShoulder, 0.062f, kElbow, 0.036f, 0.045f, 0.034f), down));
+        painted(combed(limb(kLeftArm, kShoulder, 0.066f, kElbow, 0.039f, 0.045f, 0.034f), down),
+                Paint::limb));
     parts.push_back(
-        painted(limb(kLeftForearm, kElbow, 0.035f, kWrist, 0.0235f, 0.025f, 0.018f), Paint::sock));
-    parts.push_back(painted(combed(limb(kLeftHand, kWrist - vec3(0.0f, 0.030f, 0.0f), 0.030f,
-                                        kFingers, 0.027f, 0.022f, 0.009f),
-                                   {0.0f, -0.35f, 1.0f}),
+        painted(limb(kLeftForearm, kElbow, 0.038f, kWrist, 0.0255f, 0.025f, 0.020f), Paint::sock));
+    parts.push_back(painted(combed(limb(kLeftHand, kWrist - vec3(0.0f, 0.030f, 0.0f), 0.031f,
+                                        kFingers, 0.028f, 0.022f, 0.010f),
+                                   ahead),
                             Paint::sock));
-    parts.push_back(combed(limb(kLeftThigh, kHip, 0.078f, kKnee, 0.050f, 0.05f, 0.038f), down));
-    parts.push_back(limb(kLeftShank, kKnee, 0.047f, kHock, 0.0265f, 0.030f, 0.024f));
+    parts.push_back(painted(
+        combed(limb(kLeftThigh, kHip, 0.082f, kKnee, 0.053f, 0.05f, 0.038f), down), Paint::limb));
     parts.push_back(
-        painted(limb(kLeftFoot, kHock, 0.0265f, kAnkle, 0.0225f, 0.018f, 0.014f), Paint::sock));
-    parts.push_back(painted(combed(limb(kLeftFoot, kAnkle - vec3(0.0f, 0.020f, 0.0f), 0.029f, kToes,
-                                        0.027f, 0.022f, 0.009f),
-                                   {0.0f, -0.35f, 1.0f}),
+        painted(limb(kLeftShank, kKnee, 0.050f, kHock, 0.0285f, 0.030f, 0.026f), Paint::limb));
+    parts.push_back(
+        painted(limb(kLeftFoot, kHock, 0.0285f, kAnkle, 0.0245f, 0.018f, 0.015f), Paint::sock));
+    parts.push_back(painted(combed(limb(kLeftFoot, kAnkle - vec3(0.0f, 0.020f, 0.0f), 0.030f, kToes,
+                                        0.028f, 0.022f, 0.010f),
+                                   ahead),
                             Paint::sock));
     // Three toes on each paw.
     for (const bool front : {true, false}) {

@@ -12,7 +12,7 @@
 namespace pelage::animal {
 
 enum class Form { cone, ellipsoid, ear };
-enum class Paint { coat, cream, ruff, ear, sock, tail, nose, eye };
+enum class Paint { trunk, limb, neck, head, ruff, ear, sock, tail, nose, eye };
 
 // One convex piece of the body. `paired` pieces lie at x > 0 and have a mirror image.
 struct Part {
@@ -20,7 +20,7 @@ struct Part {
     bool paired = false;
     bool sided = false;  // its mirror image is another segment: `segment` + 1
     uint segment = 0;
-    Paint paint = Paint::coat;
+    Paint paint = Paint::trunk;
     vec3 a{0.0f}, b{0.0f};           // m; ends of the axis, or an ellipsoid's middle (a)
     float ra = 0.0f, rb = 0.0f;      // m; radii at the ends
     vec3 radii{0.0f};                // m; of an ellipsoid. Of an ear: x = thickness over width

@@ -76,7 +76,8 @@ vec3 headColor(vec3 p, vec3 n, float blur) {
     // A cream mask: cheeks and the sides of the muzzle, up to the eyes.
     const float top =
         0.588f + 0.10f * std::max(0.345f - p.z, 0.0f) - 0.16f * std::max(p.z - 0.36f, 0.0f);
-    const float mask = smoothStep(0.010f, -0.010f, p.y - top + 0.006f * blur);
+    const float mask = smoothStep(0.010f, -0.010f, p.y - top + 0.006f * blur) *
+                       smoothStep(0.205f, 0.255f, p.z + 0.012f * blur);
     const vec3 upper =
         mix(kRusset, kBack,
             0.45f * smoothStep(0.030f, 0.0f, p.x + 0.01f * blur) * smoothStep(0.1f, 0.8f, n.y));
@@ -85,9 +86,14 @@ vec3 headColor(vec3 p, vec3 n, float blur) {
 
 vec3 partColor(const Part& part, float along, vec3 p, vec3 n, float blur) {
     switch (part.paint) {
-        case Paint::coat:
-            return p.z > 0.19f && p.y > 0.53f ? headColor(p, n, blur) : coatColor(p, n, blur);
-        case Paint::cream:
+        case Paint::trunk:
+            return coatColor(p, n, blur);
+        case Paint::limb:
+            return coatColor(p, vec3(n.x, std::max(n.y, 0.0f), n.z), blur);
+        case Paint::neck:  // a cream throat
+            return mix(coatColor(p, vec3(n.x, std::max(n.y, 0.0f), n.z), blur), kCream,
+                       smoothStep(0.25f, 0.6f, n.z - 0.5f * n.y + 0.12f * blur));
+        case Paint::head:
             return headColor(p, n, blur);
         case Paint::ruff:
             return mix(coatColor(p, n, blur), kCream, smoothStep(0.15f, 0.55f, n.z + 0.1f * blur));
@@ -99,7 +105,7 @@ vec3 partColor(const Part& part, float along, vec3 p, vec3 n, float blur) {
         }
         case Paint::sock: {
             const float height = p.y + 0.02f * blur;
-            return mix(kDark, coatColor(p, vec3(n.x, 0.0f, n.z), blur),
+            return mix(kDark, coatColor(p, vec3(n.x, std::max(n.y, 0.0f), n.z), blur),
                        smoothStep(0.105f, 0.185f, height));
         }
         case Paint::tail: {
