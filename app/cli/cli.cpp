@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "app/cli/print.h"
+#include "app/window.h"
 
 namespace pelage {
 namespace {
@@ -47,7 +47,7 @@ void addJsonFlag(CLI::App& verb, bool& json) {
     verb.add_flag("--json", json, "Print one JSON object");
 }
 
-int runCommandLine(int argc, char** argv, void (*edit)(const std::string& file)) {
+int runCommandLine(int argc, char** argv) {
     std::signal(SIGPIPE, SIG_IGN);  // a closed stdout is an error of ours, not a sudden end
     CLI::App app("Pelage, an interactive fur editor. Without a verb it opens the editor.",
                  "pelage");
@@ -56,6 +56,7 @@ int runCommandLine(int argc, char** argv, void (*edit)(const std::string& file))
     app.require_subcommand(0, 1);
     std::string file;
     bool json = false;
+    int status = 0;  // of the editor
     CLI::Option* fileOption = app.add_option("FILE", file, "The mesh to open in the editor");
     addJsonFlag(app, json);
     addInfo(app, json);
@@ -66,7 +67,7 @@ int runCommandLine(int argc, char** argv, void (*edit)(const std::string& file))
     app.final_callback([&] {
         if (!app.get_subcommands().empty()) return;
         if (haveDisplay()) {
-            edit(file);
+            status = runEditor({.file = file});
         } else {
             runShowcase(file, json);
         }
@@ -80,7 +81,7 @@ int runCommandLine(int argc, char** argv, void (*edit)(const std::string& file))
     });
     try {
         app.parse(argc, argv);
-        return 0;
+        return status;
     } catch (const CLI::Success& help) {
         app.exit(help);
         return 0;

@@ -28,8 +28,7 @@ void addJsonFlag(CLI::App& verb, bool& json);
 // pelage-out/. An empty file means the built-in animal. Prints what was written.
 void runShowcase(const std::string& file, bool json);
 
-// Runs the command line; the exit status of the program. `edit` opens the editor on a file, or on
-// the built-in animal when that is empty.
-int runCommandLine(int argc, char** argv, void (*edit)(const std::string& file));
+// Runs the command line; the exit status of the program.
+int runCommandLine(int argc, char** argv);
 
 }  // namespace pelage
