@@ -1,0 +1,113 @@
+// app.h -- everything the window's parts share, and the verbs that change it.
+//
+// The window owns one App and hands it to panels, actions and the viewport. State that is saved
+// lives in the editor, state of one person in the session; what is here besides is bookkeeping.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/file_dialog.h"
+#include "app/session.h"
+#include "app/settings.h"
+#include "app/theme.h"
+#include "app/viewport.h"
+#include "app/widgets.h"
+#include "app/work.h"
+#include "core/gltf_out.h"
+#include "core/journal.h"
+#include "core/script.h"
+
+namespace pelage {
+
+enum class Dialog { none, unsaved, lostWork, open, saveAs, exportAs };
+
+struct Dialogs {
+    Dialog current = Dialog::none;
+    FileDialog files;
+    std::function<void()> then;  // goes on once unsaved work is saved or given up
+    ExportOptions exportOptions;
+    bool exportCheck = true;     // open the written file again and compare
+    std::vector<LostWork> lost;  // offered one after the other
+    std::string problem;         // shown in a box until it is read; empty = none
+    bool help = false, report = false;
+    bool escape = false, enter = false;  // keys of this frame, for the question that is open
+};
+
+// Edits on screen that are not yet a step of history: a slider that is still held.
+struct Pending {
+    std::string path;   // of the parameter
+    std::string label;  // of the step
+    Fur before;
+};
+
+struct App {
+    Workspace workspace;  // the only owner of the document and its history
+    Session session;
+    Settings settings;
+    Theme theme;
+    Tips tips;
+    Viewport viewport;
+    Dialogs dialogs;
+    std::unique_ptr<Journal> journal;
+    std::size_t journalStep = 0;  // the step of history that the journal's first line makes
+    std::string snapshot;         // file that the first line opens and nobody else knows
+    bool restored = false;        // from a journal, and not saved since
+    std::optional<Pending> pending;
+    std::string file;     // what Save writes; empty until there is a .glb
+    std::string name;     // of the animal, for title and status line
+    std::string message;  // the latest, in the status line
+    bool messageIsBad = false;
+    FrameStats stats;
+    std::string device;
+    bool touched = false;  // the document changed since the last frame
+    bool panelsHidden = false;
+    bool trace = false;  // one line on stdout for each step (PELAGE_TRACE)
+    bool quit = false;
+    std::function<void()> wake;  // ends the wait for events; any thread
+    Work work;                   // last: its thread ends before the rest goes
+
+    bool isOpen() const { return workspace.editor != nullptr; }
+    Editor& editor() { return *workspace.editor; }
+    const Editor& editor() const { return *workspace.editor; }
+    const Document& document() const { return workspace.editor->document(); }
+    const Skin& skin() const { return *document().skin; }
+    bool saved() const { return !isOpen() || (workspace.editor->saved() && !pending && !restored); }
+};
+
+// Messages. A problem is one line on stderr, in the status line and in a box.
+void tell(App& app, std::string message);
+void complain(App& app, const std::string& problem);
+void trace(const App& app, const std::string& line);
+
+// Edits (edits.cpp). Each ends in at most one step of history and one line of the journal.
+void editParameter(App& app, const std::string& path, const std::string& label, vec3 value);
+void commitPending(App& app);
+void undo(App& app);
+void redo(App& app);
+void goToStep(App& app, std::size_t step);
+void choosePreset(App& app, const std::string& name);
+void floodSkin(App& app, vec3 direction);  // of combing, world
+void beginStroke(App& app, const Brush& brush, const SkinHit& hit);
+void endStroke(App& app);
+void cancelStroke(App& app);
+// Starts the journal anew for what is on screen: `line` opens all of it.
+void restartJournal(App& app, const std::string& line);
+void dropSnapshot(App& app);
+
+// Files (files.cpp). All of them ask first when work would be lost, and then go on by themselves.
+void leave(App& app, std::function<void()> then);
+void openFile(App& app, const std::string& path);
+void openAnimal(App& app);
+void save(App& app, std::function<void()> then = {});
+void saveTo(App& app, const std::string& path, std::function<void()> then = {});
+void exportTo(App& app, const std::string& path);
+void restoreWork(App& app, const LostWork& lost);
+void discardWork(App& app, const LostWork& lost);
+void askForFile(App& app, Dialog purpose);
+void requestQuit(App& app);
+
+}  // namespace pelage

@@ -1,0 +1,123 @@
+// cursor_lines.cpp -- what is drawn on the skin but is no hair: brush rings and direction arrows.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/app.h"
+#include "app/viewport.h"
+
+namespace pelage {
+namespace {
+
+constexpr int kRingSegments = 56;
+constexpr std::size_t kArrows = 4000;  // at most, over the entire skin
+
+vec4 ringColor(const Brush& brush) {
+    switch (brush.tool) {
+        case Tool::comb:
+            return {1.0f, 0.72f, 0.40f, 1.0f};
+        case Tool::smooth:
+            return {0.72f, 0.66f, 1.0f, 1.0f};
+        default:
+            break;
+    }
+    if (brush.mode == Mode::add) return {0.55f, 0.92f, 0.55f, 1.0f};
+    if (brush.mode == Mode::subtract) return {1.0f, 0.50f, 0.45f, 1.0f};
+    return {0.50f, 0.80f, 1.0f, 1.0f};
+}
+
+// The distance at which the falloff is one half, as a share of the radius.
+float halfPoint(Falloff falloff) {
+    float least = 0.0f, greatest = 1.0f;
+    for (int i = 0; i < 12; ++i) {
+        const float middle = 0.5f * (least + greatest);
+        (falloffWeight(falloff, middle, 1.0f) > 0.5f ? least : greatest) = middle;
+    }
+    return greatest;
+}
+
+struct Ring {
+    vec3 center{0.0f}, normal{0.0f};  // world
+    float radius = 0.0f;              // m
+    vec4 color{1.0f};
+};
+
+// A circle about the normal, let down onto the skin where there is skin below it.
+void addRing(const SkinQuery& query, const Ring& ring, std::vector<OverlayLine>& lines) {
+    const vec3 any = std::abs(ring.normal.y) < 0.9f ? vec3(0, 1, 0) : vec3(1, 0, 0);
+    const vec3 across = glm::normalize(glm::cross(any, ring.normal));
+    const vec3 along = glm::cross(ring.normal, across);
+    const float lift = 0.015f * query.skin().size() * 0.25f;
+    vec3 before{0.0f};
+    for (int i = 0; i <= kRingSegments; ++i) {
+        const float angle =
+            2.0f * std::numbers::pi_v<float> * static_cast<float>(i) / kRingSegments;
+        const vec3 spoke = std::cos(angle) * across + std::sin(angle) * along;
+        vec3 point = ring.center + ring.radius * spoke;
+        const auto below = query.cast(point + ring.radius * ring.normal, -ring.normal);
+        if (below && below->distance < 2.0f * ring.radius) point = below->position;
+        point += lift * ring.normal;
+        if (i > 0) lines.push_back({before, point, ring.color});
+        before = point;
+    }
+}
+
+void addCursor(App& app, std::vector<OverlayLine>& lines) {
+    const Viewport& viewport = app.viewport;
+    if (!viewport.hit) return;
+    const Brush brush = app.workspace.stroke
+                            ? app.workspace.stroke->brush()
+                            : heldBrush(app.session, viewport.shift, viewport.control);
+    const SkinQuery& query = *app.workspace.query;
+    const vec4 outer = ringColor(brush);
+    const vec4 inner{outer.x, outer.y, outer.z, 0.25f + 0.5f * brush.strength};
+    const float half = halfPoint(brush.falloff) * brush.radius;
+    const SkinHit& hit = *viewport.hit;
+    addRing(query, {hit.position, hit.normal, brush.radius, outer}, lines);
+    if (brush.falloff != Falloff::constant)
+        addRing(query, {hit.position, hit.normal, half, inner}, lines);
+    lines.push_back({hit.position, hit.position + 0.35f * brush.radius * hit.normal, inner});
+    if (!brush.mirrorX) return;
+    const vec3 mirror{-1.0f, 1.0f, 1.0f};
+    const vec4 faint{outer.x, outer.y, outer.z, 0.55f};
+    addRing(query, {mirror * hit.position, mirror * hit.normal, brush.radius, faint}, lines);
+}
+
+// An arrow for a fair sample of the vertices: they are in spatial order, so every n-th will do.
+void addArrows(const App& app, std::vector<OverlayLine>& lines) {
+    const Skin& skin = app.skin();
+    const std::size_t count = skin.vertices.size();
+    const std::size_t stride = std::max<std::size_t>(1, (count + kArrows - 1) / kArrows);
+    const float spacing = static_cast<float>(
+        std::sqrt(skin.area / static_cast<double>(std::max<std::size_t>(count / stride, 1))));
+    const float reach = 1.3f * spacing;
+    const vec3 eye = app.session.camera.eye();
+    for (std::size_t v = 0; v < count; v += stride) {
+        const SkinVertex& vertex = skin.vertices[v];
+        if (glm::dot(eye - vertex.position, vertex.normal) <= 0.0f) continue;
+        const FurVertex fur = furToWorld(skin, static_cast<uint>(v), app.document().groom.fur[v]);
+        const float strength = glm::length(fur.direction);
+        if (!(strength > 1e-4f)) continue;
+        const vec3 step = reach * fur.direction;
+        const vec3 root = vertex.position + 0.2f * spacing * vertex.normal;
+        const vec3 tip = root + step;
+        const vec3 side = 0.3f * reach * strength *
+                          glm::normalize(glm::cross(fur.direction, vertex.normal) + vec3(1e-9f));
+        const vec4 color{0.5f + 0.5f * fur.direction / strength, 1.0f};
+        lines.push_back({root, tip, color});
+        lines.push_back({tip, tip - 0.35f * step + side, color});
+        lines.push_back({tip, tip - 0.35f * step - side, color});
+    }
+}
+
+}  // namespace
+
+void updateLines(App& app) {
+    auto& lines = app.viewport.lines;
+    lines.clear();
+    if (!app.isOpen()) return;
+    if (app.session.view.overlay == Overlay::direction) addArrows(app, lines);
+    addCursor(app, lines);
+}
+
+}  // namespace pelage

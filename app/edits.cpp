@@ -1,0 +1,187 @@
+// edits.cpp -- the verbs that change the document: each one step of history, one line of journal.
+#include <cassert>
+#include <cstdio>
+#include <filesystem>
+#include <string_view>
+
+#include "app/app.h"
+#include "core/script.h"
+
+namespace pelage {
+namespace {
+
+// A parameter by its path: the row and which coat it belongs to.
+struct ParameterPlace {
+    const Parameter* row = nullptr;
+    Coat Fur::*coat = nullptr;  // null for what the coats share
+};
+
+ParameterPlace placeOf(std::string_view path) {
+    const std::size_t dot = path.find('.');
+    const std::string_view group = path.substr(0, dot), name = path.substr(dot + 1);
+    const bool shared = group == "fur";
+    for (const Parameter& row : shared ? furParameters() : coatParameters())
+        if (row.name == name)
+            return {&row, shared ? nullptr : group == "over" ? &Fur::over : &Fur::under};
+    assert(false);
+    return {};
+}
+
+// One more line on the disk. A disk that refuses is told once for each line: work is at risk.
+void note(App& app, std::string_view line) {
+    app.touched = true;
+    if (!app.journal) return;
+    try {
+        app.journal->append(line);
+    } catch (const std::exception& error) {
+        complain(app, error.what());
+    }
+}
+
+// The journal's first line names what is saved. When undo goes back beyond it, what is on screen
+// is written beside the journal and becomes the new first line.
+void keepJournalReachable(App& app) {
+    if (!app.journal || app.editor().currentStep() >= app.journalStep) return;
+    const std::string path = app.journal->path() + ".glb";
+    try {
+        writeGroomedGlb(app.document(), path);
+        restartJournal(app, "open " + path);
+        app.snapshot = path;
+        app.journal->append("# taken back beyond what is saved");
+    } catch (const std::exception& error) {
+        complain(app, error.what());
+    }
+}
+
+// At the end of a full history a new step makes the oldest go, and all others move down by one.
+bool historyFull(const App& app) { return app.editor().currentStep() == Editor::kUndoSteps; }
+
+void stepped(App& app, bool wasFull, std::string_view line) {
+    if (wasFull && app.journalStep > 0) --app.journalStep;
+    note(app, line);
+    trace(app, "commit " + std::string(app.editor().undoLabel()));
+}
+
+// A step that a script line makes: run through the same code that replays it.
+void runStep(App& app, const std::string& line) {
+    commitPending(app);
+    const bool full = historyFull(app);
+    const Document before = app.document();
+    try {
+        runLine(app.workspace, line);
+    } catch (const std::exception& error) {
+        return complain(app, error.what());
+    }
+    if (!(app.document() == before)) stepped(app, full, line);
+}
+
+}  // namespace
+
+void tell(App& app, std::string message) {
+    app.message = std::move(message);
+    app.messageIsBad = false;
+}
+
+void complain(App& app, const std::string& problem) {
+    std::fprintf(stderr, "pelage: %s\n", problem.c_str());
+    app.message = problem;
+    app.messageIsBad = true;
+    app.dialogs.problem = problem;
+}
+
+void trace(const App& app, const std::string& line) {
+    if (!app.trace) return;
+    std::printf("trace: %s\n", line.c_str());
+    std::fflush(stdout);
+}
+
+void restartJournal(App& app, const std::string& line) {
+    if (!app.journal) return;
+    try {
+        app.journal->restart(line);
+    } catch (const std::exception& error) {
+        return complain(app, error.what());
+    }
+    app.journalStep = app.editor().currentStep();
+    dropSnapshot(app);
+}
+
+void dropSnapshot(App& app) {
+    if (app.snapshot.empty()) return;
+    std::error_code failed;  // a file that stays behind is a nuisance only
+    std::filesystem::remove(app.snapshot, failed);
+    app.snapshot.clear();
+}
+
+void editParameter(App& app, const std::string& path, const std::string& label, vec3 value) {
+    if (app.pending && app.pending->path != path) commitPending(app);
+    app.touched = true;
+    if (!app.pending) app.pending = Pending{path, label, app.document().fur};
+    const ParameterPlace place = placeOf(path);
+    app.editor().edit([&](Document& document) {
+        if (place.coat)
+            setParameter(document.fur.*place.coat, *place.row, value);
+        else
+            setParameter(document.fur, *place.row, value);
+    });
+}
+
+void commitPending(App& app) {
+    if (!app.pending) return;
+    const Pending pending = *app.pending;
+    app.pending.reset();
+    const std::string line = setLine(pending.before, app.document().fur);
+    const bool full = historyFull(app);
+    if (app.editor().commit(pending.label)) stepped(app, full, line);
+}
+
+void undo(App& app) {
+    commitPending(app);
+    const std::string label(app.editor().undoLabel());
+    if (!app.editor().undo()) return;
+    note(app, "undo");
+    keepJournalReachable(app);
+    tell(app, "Undone: " + label);
+    trace(app, "undo " + label);
+}
+
+void redo(App& app) {
+    commitPending(app);
+    if (!app.editor().redo()) return;
+    note(app, "redo");
+    const std::string label(app.editor().undoLabel());
+    tell(app, "Redone: " + label);
+    trace(app, "redo " + label);
+}
+
+void goToStep(App& app, std::size_t step) {
+    commitPending(app);
+    while (app.editor().currentStep() > step) undo(app);
+    while (app.editor().currentStep() < step) redo(app);
+}
+
+void choosePreset(App& app, const std::string& name) { runStep(app, "preset " + name); }
+
+void floodSkin(App& app, vec3 direction) {
+    runStep(app, floodLine(app.session.brush(), direction));
+}
+
+void beginStroke(App& app, const Brush& brush, const SkinHit& hit) {
+    commitPending(app);
+    app.workspace.press(brush, hit.position, hit.normal);
+}
+
+void endStroke(App& app) {
+    const bool full = historyFull(app);
+    if (const std::string line = app.workspace.release(); !line.empty()) stepped(app, full, line);
+}
+
+void cancelStroke(App& app) {
+    if (!app.workspace.stroke) return;
+    app.workspace.cancelStroke();
+    app.touched = true;
+    tell(app, "Stroke cancelled");
+    trace(app, "cancel");
+}
+
+}  // namespace pelage

@@ -1,0 +1,234 @@
+// files.cpp -- the verbs that read and write files, and the questions they ask first.
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+
+#include "app/app.h"
+#include "app/export_check.h"
+#include "core/animal.h"
+#include "core/files.h"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::size_t kAnimalTriangles = 60000;
+constexpr std::size_t kLargestJournal = std::size_t{1} << 30;  // bytes
+
+std::string lowerExtension(const std::string& path) {
+    std::string extension = fs::path(path).extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+void startWork(App& app, const std::string& label, std::function<Finish(Progress&)> job,
+               const std::string& cancelled) {
+    if (app.work.running()) return;
+    app.work.start(
+        label, std::move(job),
+        [&app, cancelled](const std::string& problem) {
+            if (app.work.cancelling())
+                tell(app, cancelled);
+            else
+                complain(app, problem);
+        },
+        app.wake);
+}
+
+void rememberFile(App& app, const std::string& path) {
+    remember(app.settings, path);
+    app.settings.folder = fs::absolute(path).parent_path().string();
+    try {
+        saveSettings(app.settings, settingsPath());
+    } catch (const std::exception& error) {
+        tell(app, error.what());  // a nuisance, not a danger
+    }
+}
+
+// Takes over what a worker has opened. `path` is empty for the built-in animal.
+void adopt(App& app, Workspace opened, const std::string& path) {
+    cancelDrag(app);
+    app.pending.reset();
+    app.viewport.hit.reset();
+    app.workspace = std::move(opened);
+    app.restored = false;
+    app.file = lowerExtension(path) == ".glb" ? path : "";
+    app.name = path.empty() ? "animal" : fs::path(path).filename().string();
+    meetSkin(app.session, app.skin(), app.viewport.size.x / std::max(app.viewport.size.y, 1.0f));
+    const LoadReport& report = app.skin().report;
+    const std::size_t notes = report.warnings.size();
+    tell(app, app.name + ": " + grouped(report.triangles) + " triangles" +
+                  (notes == 0 ? "" : ", " + std::to_string(notes) + " notes: Help > Load report"));
+    for (const std::string& warning : report.warnings)
+        std::fprintf(stderr, "pelage: %s\n", warning.c_str());
+    trace(app, "opened " + (path.empty() ? "animal" : path));
+}
+
+std::string proposedName(const App& app) { return fs::path(app.name).stem().string() + ".glb"; }
+
+// Goes on where an editor that was killed had ended: its journal becomes ours.
+void takeOverJournal(App& app, const LostWork& lost, Workspace opened, const std::string& text) {
+    const bool animal = lost.document == "animal";
+    // A file beside the journal is no file of the user's.
+    const bool own = fs::path(lost.document).parent_path() == fs::path(lost.path).parent_path();
+    adopt(app, std::move(opened), animal ? "" : lost.document);
+    if (own) app.file.clear();
+    app.restored = true;
+    if (app.journal) {
+        std::size_t end = text.find('\n');
+        restartJournal(app, text.substr(0, end));
+        app.journalStep = 0;
+        for (std::size_t at = end + 1; (end = text.find('\n', at)) != text.npos; at = end + 1)
+            app.journal->append(text.substr(at, end - at));
+    }
+    if (own) app.snapshot = lost.document;
+    discardLostWork(lost);
+    tell(app, "Restored " + std::to_string(lost.edits) + " unsaved edits of " + app.name);
+    trace(app, "restored " + std::to_string(lost.edits));
+}
+
+}  // namespace
+
+void leave(App& app, std::function<void()> then) {
+    if (app.work.running()) return;
+    cancelStroke(app);
+    if (app.isOpen()) commitPending(app);
+    if (app.saved()) return then();
+    app.dialogs.then = std::move(then);
+    app.dialogs.current = Dialog::unsaved;
+    trace(app, "asked unsaved");
+}
+
+void openFile(App& app, const std::string& path) {
+    leave(app, [&app, path] {
+        const std::string absolute = fs::absolute(path).lexically_normal().string();
+        startWork(
+            app, "Opening " + fs::path(path).filename().string(),
+            [&app, absolute](Progress& progress) -> Finish {
+                auto opened = std::make_shared<Workspace>();
+                opened->open(openDocument(readSource(absolute, &progress), &progress));
+                return [&app, absolute, opened] {
+                    adopt(app, std::move(*opened), absolute);
+                    restartJournal(app, "open " + absolute);
+                    rememberFile(app, absolute);
+                };
+            },
+            "Opening cancelled");
+    });
+}
+
+void openAnimal(App& app) {
+    leave(app, [&app] {
+        startWork(
+            app, "Making the animal",
+            [&app](Progress&) -> Finish {
+                auto opened = std::make_shared<Workspace>();
+                opened->open(groomedAnimal(kAnimalTriangles));
+                return [&app, opened] {
+                    adopt(app, std::move(*opened), "");
+                    restartJournal(app, "animal " + std::to_string(kAnimalTriangles));
+                };
+            },
+            "Cancelled");
+    });
+}
+
+void askForFile(App& app, Dialog purpose) {
+    FileDialog& dialog = app.dialogs.files;
+    dialog = {};
+    dialog.saving = purpose != Dialog::open;
+    if (purpose == Dialog::open) {
+        dialog.title = "Open a mesh or a groomed .glb";
+        dialog.accept = "Open";
+        dialog.extensions = {".glb", ".gltf", ".obj", ".ply", ".off", ".stl"};
+    } else {
+        dialog.title = purpose == Dialog::saveAs ? "Save the groomed .glb" : "Export for others";
+        dialog.accept = purpose == Dialog::saveAs ? "Save" : "Export";
+        dialog.extensions = {".glb"};
+    }
+    const char* home = std::getenv("HOME");
+    std::string folder = app.settings.folder;
+    if (folder.empty() || !fs::is_directory(folder)) folder = home ? home : "/";
+    browse(dialog, folder, dialog.saving ? proposedName(app) : "");
+    app.dialogs.current = purpose;
+}
+
+void save(App& app, std::function<void()> then) {
+    if (!app.isOpen() || app.work.running()) return;
+    cancelStroke(app);
+    if (!app.file.empty()) return saveTo(app, app.file, std::move(then));
+    app.dialogs.then = std::move(then);
+    askForFile(app, Dialog::saveAs);
+}
+
+void saveTo(App& app, const std::string& path, std::function<void()> then) {
+    commitPending(app);
+    const std::string absolute = fs::absolute(path).lexically_normal().string();
+    startWork(
+        app, "Saving " + fs::path(path).filename().string(),
+        [&app, absolute, then = std::move(then),
+         document = app.document()](Progress& progress) -> Finish {
+            writeGroomedGlb(document, absolute, {}, &progress);
+            return [&app, absolute, then] {
+                app.editor().markSaved();
+                app.restored = false;
+                app.file = absolute;
+                app.name = fs::path(absolute).filename().string();
+                restartJournal(app, "open " + absolute);
+                rememberFile(app, absolute);
+                tell(app, "Saved " + absolute);
+                trace(app, "saved " + absolute);
+                if (then) then();
+            };
+        },
+        "Saving cancelled; the file is as it was");
+}
+
+void exportTo(App& app, const std::string& path) {
+    commitPending(app);
+    const std::string absolute = fs::absolute(path).lexically_normal().string();
+    startWork(
+        app, "Exporting " + fs::path(path).filename().string(),
+        [&app, absolute, options = app.dialogs.exportOptions, check = app.dialogs.exportCheck,
+         document = app.document()](Progress& progress) -> Finish {
+            writeGroomedGlb(document, absolute, options, &progress);
+            const std::string proof = check ? checkExport(document, absolute, &progress) : "";
+            return [&app, absolute, proof] {
+                rememberFile(app, absolute);
+                tell(app, "Exported " + absolute + proof);
+                trace(app, "exported " + absolute + proof);
+            };
+        },
+        "Export cancelled");
+}
+
+void restoreWork(App& app, const LostWork& lost) {
+    startWork(
+        app, "Restoring unsaved work",
+        [&app, lost](Progress&) -> Finish {
+            auto opened = std::make_shared<Workspace>();
+            replayJournal(*opened, lost.path);
+            const auto bytes = readFile(lost.path, kLargestJournal);
+            const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+            return [&app, lost, opened, text] {
+                takeOverJournal(app, lost, std::move(*opened), text);
+            };
+        },
+        "Restoring cancelled; the work is offered again at the next start");
+}
+
+void discardWork(App& app, const LostWork& lost) {
+    discardLostWork(lost);
+    std::error_code absent;
+    fs::remove(lost.path + ".glb", absent);
+    tell(app, "Unsaved work discarded");
+    trace(app, "discarded");
+}
+
+void requestQuit(App& app) {
+    leave(app, [&app] { app.quit = true; });
+}
+
+}  // namespace pelage

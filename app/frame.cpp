@@ -1,0 +1,161 @@
+// frame.cpp -- what happens in one frame, in its order.
+#include "app/frame.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/panels/panels.h"
+
+namespace pelage {
+namespace {
+
+constexpr double kRest = 0.15;  // s without change until the picture converges
+
+bool sameCamera(const Camera& a, const Camera& b) {
+    return a.target == b.target && a.distance == b.distance && a.yaw == b.yaw &&
+           a.pitch == b.pitch && a.fieldOfView == b.fieldOfView && a.orthographic == b.orthographic;
+}
+
+bool asking(const App& app) {
+    return app.dialogs.current != Dialog::none || !app.dialogs.problem.empty() ||
+           app.work.running();
+}
+
+void useKeys(App& app, FrameKeys& keys) {
+    const bool typing = ImGui::GetIO().WantTextInput;
+    app.dialogs.escape = app.dialogs.enter = false;
+    for (const PressedKey& pressed : std::exchange(keys.pressed, {})) {
+        const int key = pressed.key.key;
+        if (key == GLFW_KEY_ESCAPE) {
+            if (asking(app))
+                app.dialogs.escape = true;
+            else if (!cancelDrag(app))
+                app.dialogs.help = app.dialogs.report = false;
+            continue;
+        }
+        if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) app.dialogs.enter = true;
+        if (typing) continue;
+        const Action* action = actionOfKey(pressed.key);
+        if (action && (!pressed.repeated || action->repeats)) perform(app, *action);
+    }
+}
+
+Layout layOut(App& app, float menu) {
+    const Theme& theme = app.theme;
+    Layout layout;
+    layout.window = ImGui::GetIO().DisplaySize;
+    layout.menu = menu;
+    layout.status = theme.px(24);
+    if (!app.panelsHidden) {
+        layout.toolbar = theme.px(36);
+        layout.left = theme.px(214);
+        layout.right = theme.px(318);
+    }
+    Viewport& viewport = app.viewport;
+    viewport.corner = {layout.left, layout.menu + layout.toolbar};
+    viewport.size = {std::max(layout.window.x - layout.left - layout.right, 16.0f),
+                     std::max(layout.window.y - viewport.corner.y - layout.status, 16.0f)};
+    return layout;
+}
+
+void drawPicture(App& app, Renderer& renderer, FrameKeys& keys, double now, bool events) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool held = ImGui::IsAnyItemActive() && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
+    if (std::exchange(app.touched, false) || held || !sameCamera(app.session.camera, keys.camera))
+        keys.changed = now;
+    keys.camera = app.session.camera;
+    const bool moving = now - keys.changed < kRest;
+
+    const Viewport& viewport = app.viewport;
+    const ViewOptions& options = app.session.view;
+    View view;
+    view.camera = app.session.camera;
+    view.size = {static_cast<int>(std::lround(viewport.size.x * viewport.pixels)),
+                 static_cast<int>(std::lround(viewport.size.y * viewport.pixels))};
+    view.overlay = options.overlay;
+    view.showSkin = options.showSkin;
+    view.showOver = options.showOver;
+    view.showUnder = options.showUnder;
+    view.segments = static_cast<uint>(options.segments);
+    view.cullByDistance = options.cullByDistance;
+    view.share = options.share;
+    view.budget = moving ? options.budget : 0.0f;
+    view.samples = moving ? 1 : options.samples;
+    view.background = {0.040f, 0.043f, 0.050f};
+    view.lines = viewport.lines;
+    // While the hand is on a panel, widgets answer first and the picture goes on afterwards.
+    const bool busyElsewhere = events && io.WantCaptureMouse && !moving;
+    if (!busyElsewhere) app.stats = renderer.draw(app.document(), view);
+
+    const ImVec2 corner{viewport.corner.x, viewport.corner.y};
+    const ImVec2 end{corner.x + viewport.size.x, corner.y + viewport.size.y};
+    const auto picture = (ImTextureID) static_cast<std::intptr_t>(renderer.texture());
+    ImGui::GetBackgroundDrawList()->AddImage(picture, corner, end, {0, 1}, {1, 0});
+    if (app.stats.finished && !moving && !std::exchange(keys.ready, true)) {
+        char place[96];
+        std::snprintf(place, sizeof place, "ready, viewport %.0f %.0f %.0f %.0f",
+                      static_cast<double>(viewport.corner.x),
+                      static_cast<double>(viewport.corner.y), static_cast<double>(viewport.size.x),
+                      static_cast<double>(viewport.size.y));
+        trace(app, place);
+    }
+}
+
+// What the hand is doing, over the picture.
+void drawHint(App& app) {
+    const Drag drag = app.viewport.drag;
+    if (drag != Drag::radius && drag != Drag::strength) return;
+    const Brush& brush = app.session.brush();
+    char text[64];
+    if (drag == Drag::radius)
+        std::snprintf(text, sizeof text, "Radius %s", lengthText(brush.radius).c_str());
+    else
+        std::snprintf(text, sizeof text, "Strength %.2f", static_cast<double>(brush.strength));
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    const float pad = app.theme.px(8);
+    const ImVec2 at{app.viewport.dragStart.x + 2 * pad, app.viewport.dragStart.y + 2 * pad};
+    ImDrawList& draw = *ImGui::GetForegroundDrawList();
+    draw.AddRectFilled({at.x - pad, at.y - 0.6f * pad},
+                       {at.x + size.x + pad, at.y + size.y + 0.6f * pad},
+                       ImGui::GetColorU32(ImGuiCol_PopupBg), app.theme.px(5));
+    draw.AddText(at, ImGui::GetColorU32(ImGuiCol_Text), text);
+}
+
+}  // namespace
+
+void beginPanel(const char* name, ImVec2 corner, ImVec2 size, ImGuiWindowFlags extra) {
+    ImGui::SetNextWindowPos(corner);
+    ImGui::SetNextWindowSize(size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | extra);
+    ImGui::PopStyleVar(2);
+}
+
+void drawFrame(App& app, Renderer& renderer, FrameKeys& keys, double now, bool events) {
+    beginTips(app.tips);
+    const Layout layout = layOut(app, drawMenu(app));
+    if (!app.panelsHidden) {
+        drawToolbar(app, layout);
+        drawBrushPanel(app, layout);
+        drawSidePanel(app, layout);
+    }
+    drawStatus(app, layout);
+    usePointer(app, !asking(app) && !ImGui::GetIO().WantCaptureMouse);
+    useKeys(app, keys);
+    if (app.isOpen() && !ImGui::IsAnyItemActive()) commitPending(app);
+    updateLines(app);
+    if (app.isOpen()) drawPicture(app, renderer, keys, now, events);
+    drawHint(app);
+    drawHelp(app);
+    drawReport(app);
+    drawDialogs(app);
+}
+
+}  // namespace pelage

@@ -1,0 +1,150 @@
+// brush_panel.cpp -- the left column: the tools and the brush.
+#include <cstdio>
+#include <string>
+
+#include "app/actions.h"
+#include "app/panels/panels.h"
+#include "app/tool_icons.h"
+
+namespace pelage {
+namespace {
+
+void toolButton(App& app, const ToolInfo& info, float width) {
+    const Action& action = actionNamed("brush." + std::string(info.name));
+    const bool on = app.session.tool == info.tool;
+    const float height = app.theme.px(34), side = app.theme.px(18);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::PushID(info.name);
+    ImGui::PushStyleColor(ImGuiCol_Button, on ? color::kAccentDeep : color::kRaised);
+    if (on) ImGui::PushStyleColor(ImGuiCol_ButtonHovered, color::kAccentDeep);
+    if (ImGui::Button("##tool", {width, height})) perform(app, action);
+    ImGui::PopStyleColor(on ? 2 : 1);
+    tip(uiOf(app), action.help);
+    ImGui::PopID();
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImU32 ink = ImGui::GetColorU32(on ? color::kAccent : color::kText);
+    const float inset = 0.5f * (height - side);
+    drawToolIcon(draw, info.tool, {corner.x + app.theme.px(10), corner.y + inset}, side, ink);
+    const float text = corner.y + 0.5f * (height - ImGui::GetTextLineHeight());
+    draw.AddText({corner.x + app.theme.px(40), text}, ImGui::GetColorU32(ImGuiCol_Text),
+                 info.label);
+    const std::string key = shortcutText(action.keys[1]);
+    draw.AddText({corner.x + width - app.theme.px(20), text},
+                 ImGui::GetColorU32(ImGuiCol_TextDisabled), key.c_str());
+}
+
+void drawModes(App& app, Brush& brush) {
+    const ToolInfo& info = toolInfo(brush.tool);
+    if (info.hasModes) {
+        constexpr const char* kModes[] = {"Add", "Subtract", "Set"};
+        if (const auto mode = choiceRow(uiOf(app), "mode", kModes, static_cast<int>(brush.mode)))
+            brush.mode = static_cast<Mode>(*mode);
+    } else if (brush.tool == Tool::comb) {
+        constexpr const char* kModes[] = {"Along", "Against"};
+        if (const auto mode = choiceRow(uiOf(app), "mode", kModes, static_cast<int>(brush.mode)))
+            brush.mode = static_cast<Mode>(*mode);
+    }
+}
+
+void drawNumbers(App& app, Brush& brush) {
+    const Ui ui = uiOf(app);
+    const float size = app.isOpen() ? app.skin().size() : 1.0f;
+    const LengthUnit unit = unitFor(size);
+    char format[24];
+    std::snprintf(format, sizeof format, "%%.2f %s", unit.name);
+    if (const auto radius = numberRow(ui, "Radius", brush.radius * unit.perMetre,
+                                      {.least = 0.002f * size * unit.perMetre,
+                                       .greatest = 0.5f * size * unit.perMetre,
+                                       .fallback = 0.05f * size * unit.perMetre,
+                                       .format = format,
+                                       .logarithmic = true,
+                                       .help = "Radius of the brush on the skin. [ and ] or F."});
+        radius && app.isOpen())
+        setRadius(app.session, app.skin(), *radius / unit.perMetre);
+    if (const auto strength = numberRow(ui, "Strength", brush.strength,
+                                        {.least = 0.01f,
+                                         .fallback = 0.5f,
+                                         .format = "%.2f",
+                                         .help = "Share of the full effect at the middle of the "
+                                                 "brush. Shift+[ and Shift+] or Shift+F."}))
+        brush.strength = *strength;
+    const ToolInfo& info = toolInfo(brush.tool);
+    if (!info.hasModes) return;
+    const bool length = brush.tool == Tool::length;
+    const float scale = length ? unit.perMetre : 1.0f;
+    ImGui::BeginDisabled(brush.mode != Mode::set);
+    if (const auto value = numberRow(ui, "Value", brush.value * scale,
+                                     {.least = info.least * (length ? size : 1.0f) * scale,
+                                      .greatest = info.greatest * (length ? size : 1.0f) * scale,
+                                      .fallback = (length ? 0.04f * size : 1.0f) * scale,
+                                      .format = length ? format : "%.2f",
+                                      .help = "What Set paints."}))
+        brush.value = *value / scale;
+    ImGui::EndDisabled();
+}
+
+void drawFlood(App& app, const Brush& brush) {
+    const Ui ui = uiOf(app);
+    const float width = ImGui::GetContentRegionAvail().x;
+    if (brush.tool == Tool::comb) {
+        constexpr const char* kNames[] = {"Backward", "Forward", "Down", "Up", "Left", "Right"};
+        constexpr vec3 kDirections[] = {{0, 0, -1}, {0, 0, 1}, {0, -1, 0},
+                                        {0, 1, 0},  {1, 0, 0}, {-1, 0, 0}};
+        int chosen = 0;
+        for (int i = 0; i < 6; ++i)
+            if (kDirections[i] == app.session.floodDirection) chosen = i;
+        rowLabel(ui, "Flood to");
+        if (const auto other = choiceList(ui, "##direction", kNames, chosen))
+            app.session.floodDirection = kDirections[*other];
+    }
+    const Action& action = actionNamed("brush.flood");
+    ImGui::BeginDisabled(!isEnabled(app, action));
+    if (plainButton(ui, "Flood the entire skin", width)) perform(app, action);
+    ImGui::EndDisabled();
+    tip(ui, action.help);
+}
+
+}  // namespace
+
+void drawBrushPanel(App& app, const Layout& layout) {
+    const float top = layout.menu + layout.toolbar;
+    beginPanel("brush", {0, top}, {layout.left, layout.window.y - top - layout.status});
+    const Ui ui = uiOf(app);
+    Brush& brush = app.session.brush();
+    caption(ui, "BRUSHES");
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, app.theme.px(3)});
+    for (const ToolInfo& info : tools()) toolButton(app, info, ImGui::GetContentRegionAvail().x);
+    ImGui::PopStyleVar();
+
+    caption(ui, "EFFECT");
+    drawModes(app, brush);
+    drawNumbers(app, brush);
+    constexpr const char* kFalloffs[] = {"Smooth", "Linear", "Sharp", "Constant"};
+    rowLabel(ui, "Falloff");
+    if (const auto other = choiceList(ui, "##falloff", kFalloffs, static_cast<int>(brush.falloff)))
+        brush.falloff = static_cast<Falloff>(*other);
+    tip(ui, "How the effect fades from the middle of the brush to its edge.");
+
+    caption(ui, "WHERE");
+    for (const char* name : {"brush.mirror", "brush.facing"}) {
+        const Action& action = actionNamed(name);
+        bool on = action.checked(app);
+        if (toggleRow(ui, action.label, &on, action.help)) perform(app, action);
+        ImGui::SameLine();
+        const std::string key = shortcutText(action.keys[0]);
+        ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - app.theme.px(10));
+        ImGui::TextDisabled("%s", key.c_str());
+    }
+    caption(ui, "EVERYWHERE");
+    drawFlood(app, brush);
+
+    ImGui::Dummy({0, app.theme.px(4)});
+    ImGui::PushFont(app.theme.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, color::kDim);
+    ImGui::TextWrapped("Ctrl turns add into subtract.\nShift smooths.");
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    ImGui::End();
+}
+
+}  // namespace pelage

@@ -1,0 +1,70 @@
+// coat_panel.cpp -- presets, and the fur's parameters: two equal groups from one table.
+#include <string>
+
+#include "app/panels/panels.h"
+
+namespace pelage {
+namespace {
+
+struct Group {
+    const char* label;
+    const char* path;
+    Coat Fur::*coat;
+};
+constexpr Group kGroups[] = {{"Overcoat", "over", &Fur::over}, {"Undercoat", "under", &Fur::under}};
+
+void drawPresets(App& app) {
+    const Ui ui = uiOf(app);
+    const Fur& fur = app.document().fur;
+    const Preset* current = nullptr;
+    for (const Preset& preset : presets()) {
+        Fur made = fur;
+        applyPreset(made, preset);
+        if (made == fur) current = &preset;
+    }
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::BeginCombo("##preset", current ? current->name.c_str() : "Own mixture",
+                          ImGuiComboFlags_HeightLarge)) {
+        std::string chosen;
+        for (const Preset& preset : presets()) {
+            if (ImGui::Selectable(preset.name.c_str(), &preset == current)) chosen = preset.name;
+            tip(ui, preset.about.c_str());
+        }
+        ImGui::EndCombo();
+        if (!chosen.empty()) choosePreset(app, chosen);
+    }
+    tip(ui, "Coats to begin with. Choosing one is a step that can be undone.");
+}
+
+}  // namespace
+
+void drawCoats(App& app) {
+    const Ui ui = uiOf(app);
+    // Two coats of one fur: what right click brings back is the fur of a mesh just opened.
+    const Fur before = app.document().fur;
+    const Fur plain = defaultFur();
+    const float size = app.skin().size();
+    caption(ui, "PRESET");
+    drawPresets(app);
+    ImGui::Dummy({0, app.theme.px(3)});
+    if (section(ui, "Both coats")) {
+        for (const Parameter& row : furParameters())
+            if (const auto value = parameterRow(ui, row, parameterValue(before, row),
+                                                parameterValue(plain, row), size))
+                editParameter(app, std::string("fur.") + row.name, row.label, *value);
+    }
+    for (const Group& group : kGroups) {
+        ImGui::PushID(group.path);
+        if (section(ui, group.label)) {
+            for (const Parameter& row : coatParameters())
+                if (const auto value =
+                        parameterRow(ui, row, parameterValue(before.*group.coat, row),
+                                     parameterValue(plain.*group.coat, row), size))
+                    editParameter(app, std::string(group.path) + "." + row.name,
+                                  std::string(group.label) + ": " + row.label, *value);
+        }
+        ImGui::PopID();
+    }
+}
+
+}  // namespace pelage

@@ -1,0 +1,32 @@
+// panels.h -- the panels: one function each, over the App; their state is in the session.
+#pragma once
+
+#include "app/app.h"
+
+namespace pelage {
+
+// Where the parts of the window are, in window units.
+struct Layout {
+    ImVec2 window{0, 0};
+    float menu = 0, toolbar = 0, status = 0;  // heights
+    float left = 0, right = 0;                // widths of the columns
+};
+
+float drawMenu(App& app);  // its height
+void drawToolbar(App& app, const Layout& layout);
+void drawBrushPanel(App& app, const Layout& layout);
+void drawSidePanel(App& app, const Layout& layout);  // tabs: coats, view, history
+void drawCoats(App& app);
+void drawView(App& app);
+void drawHistory(App& app);
+void drawStatus(App& app, const Layout& layout);
+void drawDialogs(App& app);
+void drawHelp(App& app);
+void drawReport(App& app);
+
+// A panel that is fixed at its place. Ends with ImGui::End().
+void beginPanel(const char* name, ImVec2 corner, ImVec2 size, ImGuiWindowFlags extra = 0);
+
+inline Ui uiOf(App& app) { return {app.theme, app.tips}; }
+
+}  // namespace pelage

@@ -1,0 +1,85 @@
+// session.cpp -- brush and camera habits.
+#include "app/session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace pelage {
+
+LengthUnit unitFor(float size) {
+    if (size < 0.02f) return {"mm", 1000.0f};
+    if (size < 20.0f) return {"cm", 100.0f};
+    return {"m", 1.0f};
+}
+
+std::string lengthText(float metres) {
+    const LengthUnit unit = unitFor(metres * 4.0f);
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g %s", static_cast<double>(metres * unit.perMetre),
+                  unit.name);
+    return text;
+}
+
+float modelRadius(const Skin& skin) { return 0.54f * skin.size(); }
+
+void frameAll(Session& session, const Skin& skin, float aspect) {
+    const bool orthographic = session.camera.orthographic;
+    session.camera =
+        framed(skin.center(), modelRadius(skin), session.camera.yaw, session.camera.pitch, aspect);
+    session.camera.orthographic = orthographic;
+}
+
+void turnTo(Session& session, float yaw, float pitch) {
+    session.camera.yaw = yaw;
+    session.camera.pitch = pitch;
+}
+
+void setRadius(Session& session, const Skin& skin, float radius) {
+    const float size = skin.size();
+    for (Brush& brush : session.brushes)
+        brush.radius = std::clamp(radius, 0.002f * size, 0.5f * size);
+}
+
+void setStrength(Session& session, float strength) {
+    session.brush().strength = std::clamp(strength, 0.01f, 1.0f);
+}
+
+void setMirror(Session& session, bool on) {
+    for (Brush& brush : session.brushes) brush.mirrorX = on;
+}
+
+void setFacingOnly(Session& session, bool on) {
+    for (Brush& brush : session.brushes) brush.facingOnly = on;
+}
+
+void meetSkin(Session& session, const Skin& skin, float aspect) {
+    for (const ToolInfo& info : tools()) {
+        Brush& brush = session.brushes[static_cast<std::size_t>(info.tool)];
+        brush.tool = info.tool;
+        if (info.tool == Tool::length) brush.value = 0.04f * skin.size();
+        if (info.tool == Tool::density) brush.value = std::max(brush.value, 0.5f);
+        if (info.tool == Tool::mask) brush.value = 1.0f;
+    }
+    setRadius(session, skin, 0.05f * skin.size());
+    session.fieldRadius = modelRadius(skin);
+    session.camera = Camera{};
+    session.camera.yaw = 0.9f;  // from the animal's left shoulder, a little from above
+    session.camera.pitch = 0.25f;
+    frameAll(session, skin, aspect);
+}
+
+Brush heldBrush(const Session& session, bool shift, bool control) {
+    Brush brush = session.brush();
+    if (shift) {
+        brush = session.brushes[static_cast<std::size_t>(Tool::smooth)];
+        brush.strength = session.brush().strength;
+    }
+    if (control && brush.mode == Mode::add)
+        brush.mode = Mode::subtract;
+    else if (control && brush.mode == Mode::subtract)
+        brush.mode = Mode::add;
+    return brush;
+}
+
+}  // namespace pelage

@@ -1,0 +1,61 @@
+// session.h -- how one person looks at the animal and holds the brush: plain data, never undone.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "app/render/renderer.h"
+#include "core/brush.h"
+
+namespace pelage {
+
+struct ViewOptions {
+    Overlay overlay = Overlay::none;
+    bool showSkin = true, showOver = true, showUnder = true;
+    int segments = 8;  // of a hair, [1, 16]
+    bool cullByDistance = true;
+    float share = 1.0f;     // upper bound of the share of the hairs, (0,1]
+    float budget = 0.045f;  // s per frame while the hand moves
+    int samples = 16;       // that the resting picture averages
+};
+
+// A unit in which lengths of one animal are comfortable to read.
+struct LengthUnit {
+    const char* name = "m";
+    float perMetre = 1.0f;
+};
+LengthUnit unitFor(float size);
+// "3.2 cm": a length with three significant digits.
+std::string lengthText(float metres);
+
+struct Session {
+    Camera camera;
+    float fieldRadius = 1.0f;  // m, of the ball that holds the model and its hair
+    Tool tool = Tool::comb;
+    std::array<Brush, 5> brushes;  // by Tool; radius, mirrorX and facingOnly are the same in all
+    vec3 floodDirection{0.0f, 0.0f, -1.0f};  // world; of combing everything at once
+    ViewOptions view;
+
+    Brush& brush() { return brushes[static_cast<std::size_t>(tool)]; }
+    const Brush& brush() const { return brushes[static_cast<std::size_t>(tool)]; }
+};
+
+// Radius of the ball around skin.center() that holds the skin and the longest likely hair, m.
+float modelRadius(const Skin& skin);
+
+// Brushes and camera for an animal that was just opened; view options and brush habits stay.
+void meetSkin(Session& session, const Skin& skin, float aspect);
+
+void setRadius(Session& session, const Skin& skin, float radius);  // clamped to sane sizes
+void setStrength(Session& session, float strength);
+void setMirror(Session& session, bool on);
+void setFacingOnly(Session& session, bool on);
+
+// The brush that a press with these held keys starts: Shift smooths, Ctrl turns add and subtract.
+Brush heldBrush(const Session& session, bool shift, bool control);
+
+// Looks from these angles at the whole animal or, for `turn`, keeps what is in the middle.
+void frameAll(Session& session, const Skin& skin, float aspect);
+void turnTo(Session& session, float yaw, float pitch);
+
+}  // namespace pelage

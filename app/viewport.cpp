@@ -1,0 +1,197 @@
+// viewport.cpp -- pointer to camera and stroke.
+#include "app/viewport.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "app/app.h"
+
+namespace pelage {
+namespace {
+
+constexpr float kOrbitSpeed = 0.008f;  // rad per window unit
+constexpr float kZoomSpeed = 0.006f;   // of dragging, per window unit
+constexpr float kWheelStep = 1.15f;    // of the distance, per notch
+
+vec2 clipped(const Viewport& viewport, vec2 at) {  // [-1,1] across the picture, y up
+    const vec2 share = (at - viewport.corner) / viewport.size;
+    return {2.0f * share.x - 1.0f, 1.0f - 2.0f * share.y};
+}
+
+bool within(const Viewport& viewport, vec2 at) {
+    const vec2 local = at - viewport.corner;
+    return local.x >= 0.0f && local.y >= 0.0f && local.x < viewport.size.x &&
+           local.y < viewport.size.y;
+}
+
+void orbit(Camera& camera, vec2 moved) {
+    constexpr float kQuarter = 0.5f * std::numbers::pi_v<float>;
+    camera.yaw = std::remainder(camera.yaw - kOrbitSpeed * moved.x, 4.0f * kQuarter);
+    camera.pitch = std::clamp(camera.pitch + kOrbitSpeed * moved.y, -kQuarter, kQuarter);
+}
+
+void pan(Camera& camera, const Viewport& viewport, vec2 moved) {
+    const float step = worldPerUnit(camera, viewport, camera.distance);
+    camera.target += step * (moved.y * camera.up() - moved.x * camera.right());
+}
+
+// Nearer or farther by a factor; what is under `at`, in the plane of the target, stays there.
+void zoom(App& app, float factor, vec2 at) {
+    Camera& camera = app.session.camera;
+    const float size = app.skin().size();
+    const float distance = std::clamp(camera.distance * factor, 0.02f * size, 50.0f * size);
+    const vec2 place = clipped(app.viewport, at);
+    const float half = 0.5f * worldPerUnit(camera, app.viewport, camera.distance);
+    const vec3 offset = half * (place.x * app.viewport.size.x * camera.right() +
+                                place.y * app.viewport.size.y * camera.up());
+    camera.target += (1.0f - distance / camera.distance) * offset;
+    camera.distance = distance;
+}
+
+std::optional<SkinHit> hitAt(const App& app, vec2 at) {
+    if (!app.isOpen()) return std::nullopt;
+    const PointerRay ray = pointerRay(app.session.camera, app.viewport, at);
+    return app.workspace.query->cast(ray.origin, ray.direction);
+}
+
+void press(App& app, const PointerEvent& event) {
+    Viewport& viewport = app.viewport;
+    if (viewport.drag == Drag::radius || viewport.drag == Drag::strength) {
+        if (event.button == 1) cancelDrag(app);
+        viewport.drag = Drag::none;  // the left button keeps the value
+        return;
+    }
+    if (viewport.drag == Drag::stroke) {
+        if (event.button == 1) cancelDrag(app);
+        return;
+    }
+    if (viewport.drag != Drag::none || !app.isOpen()) return;
+    viewport.dragStart = event.at;
+    const bool left = event.button == 0, right = event.button == 1, middle = event.button == 2;
+    if (event.alt)
+        viewport.drag = left ? Drag::orbit : middle ? Drag::pan : right ? Drag::zoom : Drag::none;
+    else if (middle)
+        viewport.drag = event.shift ? Drag::pan : event.control ? Drag::zoom : Drag::orbit;
+    else if (const auto hit = left ? hitAt(app, event.at) : std::nullopt) {
+        viewport.drag = Drag::stroke;
+        beginStroke(app, heldBrush(app.session, event.shift, event.control), *hit);
+    }
+}
+
+void move(App& app, const PointerEvent& event, vec2 before) {
+    Viewport& viewport = app.viewport;
+    const vec2 moved = event.at - before;
+    Camera& camera = app.session.camera;
+    switch (viewport.drag) {
+        case Drag::none:
+            break;
+        case Drag::stroke:
+            if (const auto hit = hitAt(app, event.at))
+                app.workspace.drag(hit->position, hit->normal), app.touched = true;
+            break;
+        case Drag::orbit:
+            orbit(camera, moved);
+            break;
+        case Drag::pan:
+            pan(camera, viewport, moved);
+            break;
+        case Drag::zoom:
+            zoom(app, std::exp(kZoomSpeed * (moved.y - moved.x)), viewport.dragStart);
+            break;
+        case Drag::radius: {
+            const float depth = viewport.hit ? viewport.hit->distance : camera.distance;
+            const float step = worldPerUnit(camera, viewport, depth);
+            setRadius(app.session, app.skin(),
+                      viewport.dragValue + step * (event.at.x - viewport.dragStart.x));
+            break;
+        }
+        case Drag::strength:
+            setStrength(app.session,
+                        viewport.dragValue + 0.005f * (event.at.x - viewport.dragStart.x));
+            break;
+    }
+}
+
+void release(App& app, const PointerEvent& event) {
+    Viewport& viewport = app.viewport;
+    if (viewport.drag == Drag::stroke && event.button == 0) {
+        viewport.drag = Drag::none;
+        endStroke(app);
+    }
+    const bool view =
+        viewport.drag == Drag::orbit || viewport.drag == Drag::pan || viewport.drag == Drag::zoom;
+    if (view) viewport.drag = Drag::none;
+}
+
+}  // namespace
+
+float worldPerUnit(const Camera& camera, const Viewport& viewport, float distance) {
+    const float depth = camera.orthographic ? camera.distance : distance;
+    return 2.0f * depth * std::tan(0.5f * camera.fieldOfView) / std::max(viewport.size.y, 1.0f);
+}
+
+PointerRay pointerRay(const Camera& camera, const Viewport& viewport, vec2 at) {
+    const vec2 place = clipped(viewport, at);
+    const float half = std::tan(0.5f * camera.fieldOfView);
+    const vec3 across = place.x * half * viewport.size.x / viewport.size.y * camera.right() +
+                        place.y * half * camera.up();
+    if (!camera.orthographic) return {camera.eye(), glm::normalize(camera.forward() + across)};
+    // Start far enough back that nothing near the target is behind the start.
+    constexpr float kBack = 100.0f;
+    return {camera.target + camera.distance * (across - kBack * camera.forward()),
+            camera.forward()};
+}
+
+void usePointer(App& app, bool mine) {
+    Viewport& viewport = app.viewport;
+    const auto events = std::exchange(viewport.events, {});
+    for (const PointerEvent& event : events) {
+        const vec2 before = std::exchange(viewport.pointer, event.at);
+        viewport.inside = mine && within(viewport, event.at);
+        viewport.shift = event.shift;
+        viewport.control = event.control;
+        switch (event.kind) {
+            case PointerKind::move:
+                move(app, event, before);
+                break;
+            case PointerKind::press:
+                if (viewport.inside || viewport.drag != Drag::none) press(app, event);
+                break;
+            case PointerKind::release:
+                release(app, event);
+                break;
+            case PointerKind::wheel:
+                if (viewport.inside && app.isOpen())
+                    zoom(app, std::pow(kWheelStep, -event.wheel), event.at);
+                break;
+        }
+    }
+    viewport.inside = mine && within(viewport, viewport.pointer);
+    // While a value is set by moving, the ring stays where the hand began.
+    if (viewport.drag == Drag::radius || viewport.drag == Drag::strength) return;
+    const bool brush =
+        viewport.drag == Drag::stroke || (viewport.inside && viewport.drag == Drag::none);
+    viewport.hit = brush ? hitAt(app, viewport.pointer) : std::nullopt;
+}
+
+void beginAdjust(App& app, Drag what) {
+    Viewport& viewport = app.viewport;
+    if (viewport.drag != Drag::none) return;
+    viewport.drag = what;
+    viewport.dragStart = viewport.pointer;
+    const Brush& brush = app.session.brush();
+    viewport.dragValue = what == Drag::radius ? brush.radius : brush.strength;
+}
+
+bool cancelDrag(App& app) {
+    Viewport& viewport = app.viewport;
+    const Drag was = std::exchange(viewport.drag, Drag::none);
+    if (was == Drag::stroke) cancelStroke(app);
+    if (was == Drag::radius) setRadius(app.session, app.skin(), viewport.dragValue);
+    if (was == Drag::strength) setStrength(app.session, viewport.dragValue);
+    return was != Drag::none;
+}
+
+}  // namespace pelage

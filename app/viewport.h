@@ -1,0 +1,62 @@
+// viewport.h -- from pointer and wheel over the picture to camera moves and strokes.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/render/renderer.h"
+#include "core/skin_query.h"
+
+namespace pelage {
+
+struct App;
+
+enum class PointerKind { move, press, release, wheel };
+
+struct PointerEvent {
+    PointerKind kind = PointerKind::move;
+    vec2 at{0.0f};   // window units
+    int button = 0;  // 0 left, 1 right, 2 middle
+    bool shift = false, control = false, alt = false;
+    float wheel = 0.0f;  // notches, positive away from the hand
+};
+
+enum class Drag { none, stroke, orbit, pan, zoom, radius, strength };
+
+struct Viewport {
+    vec2 corner{0.0f}, size{1.0f};        // window units, top left
+    float pixels = 1.0f;                  // of the frame buffer per window unit
+    std::vector<PointerEvent> events;     // since the last frame, in their order
+    vec2 pointer{-1.0f};                  // window units
+    bool shift = false, control = false;  // held now
+    bool inside = false;                  // the pointer is over the picture and nothing else
+    Drag drag = Drag::none;
+    vec2 dragStart{0.0f};
+    float dragValue = 0.0f;          // radius or strength when the drag began
+    std::optional<SkinHit> hit;      // under the pointer
+    std::vector<OverlayLine> lines;  // cursor and arrows, for View::lines
+};
+
+struct PointerRay {
+    vec3 origin{0.0f}, direction{0.0f};  // world; direction is unit
+};
+
+// The ray through a point of the window.
+PointerRay pointerRay(const Camera& camera, const Viewport& viewport, vec2 at);
+
+// World length of one window unit at `distance` from the eye, across the line of sight.
+float worldPerUnit(const Camera& camera, const Viewport& viewport, float distance);
+
+// Carries out the events that arrived and empties the list. `mine` is false where a panel, a
+// pop-up or a dialog has the pointer.
+void usePointer(App& app, bool mine);
+
+// Begins to set radius or strength by moving the pointer from where it is.
+void beginAdjust(App& app, Drag what);
+// Esc and right click: gives up the stroke or the adjustment. False when there was neither.
+bool cancelDrag(App& app);
+
+// Rings under the pointer and arrows of the direction overlay.
+void updateLines(App& app);
+
+}  // namespace pelage

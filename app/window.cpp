@@ -1,0 +1,319 @@
+// window.cpp -- GLFW, Dear ImGui and the loop; the only owner of the App and the Renderer.
+#include "app/window.h"
+
+#include <epoxy/gl.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cctype>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "app/actions.h"
+#include "app/app.h"
+#include "app/frame.h"
+
+namespace pelage {
+namespace {
+
+constexpr double kRest = 0.15;  // s without change until the picture converges
+
+struct Window {
+    GLFWwindow* handle = nullptr;
+    App app;
+    std::unique_ptr<Renderer> renderer;
+    FrameKeys keys;
+    int redraws = 0;     // frames still needed for widgets to settle
+    bool events = true;  // something came since the last frame
+    bool closing = false;
+    std::string title;
+
+    vec2 toUnits(double x, double y) const {
+        return {static_cast<float>(x), static_cast<float>(y)};
+    }
+};
+
+Window& windowOf(GLFWwindow* handle) {
+    return *static_cast<Window*>(glfwGetWindowUserPointer(handle));
+}
+
+void happened(GLFWwindow* handle) {
+    windowOf(handle).events = true;
+    windowOf(handle).redraws = 2;
+}
+
+// The letter or digit that the key has on the user's layout, else GLFW's name for its place.
+int keyOnLayout(int key, int scancode) {
+    const bool printable = key >= GLFW_KEY_SPACE && key <= GLFW_KEY_GRAVE_ACCENT;
+    const char* name = printable ? glfwGetKeyName(key, scancode) : nullptr;
+    if (!name || !name[0] || name[1] != '\0') return key;
+    const auto letter = static_cast<unsigned char>(name[0]);
+    return std::isgraph(letter) ? std::toupper(letter) : key;
+}
+
+void onKey(GLFWwindow* handle, int key, int scancode, int action, int mods) {
+    happened(handle);
+    Window& window = windowOf(handle);
+    Viewport& viewport = window.app.viewport;
+    const bool down = action != GLFW_RELEASE;
+    if (key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT) viewport.shift = down;
+    if (key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL) viewport.control = down;
+    if (!down) return;
+    constexpr int kMods = GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT;
+    window.keys.pressed.push_back(
+        {{keyOnLayout(key, scancode), mods & kMods}, action == GLFW_REPEAT});
+}
+
+PointerEvent pointerEvent(GLFWwindow* handle, PointerKind kind) {
+    double x = 0, y = 0;
+    glfwGetCursorPos(handle, &x, &y);
+    const auto held = [&](int left, int right) {
+        return glfwGetKey(handle, left) == GLFW_PRESS || glfwGetKey(handle, right) == GLFW_PRESS;
+    };
+    PointerEvent event{.kind = kind, .at = windowOf(handle).toUnits(x, y)};
+    event.shift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    event.control = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+    event.alt = held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
+    return event;
+}
+
+void onCursor(GLFWwindow* handle, double x, double y) {
+    happened(handle);
+    PointerEvent event = pointerEvent(handle, PointerKind::move);
+    event.at = windowOf(handle).toUnits(x, y);
+    windowOf(handle).app.viewport.events.push_back(event);
+}
+
+void onButton(GLFWwindow* handle, int button, int action, int mods) {
+    happened(handle);
+    PointerEvent event =
+        pointerEvent(handle, action == GLFW_PRESS ? PointerKind::press : PointerKind::release);
+    event.button = button;
+    event.shift = (mods & GLFW_MOD_SHIFT) != 0;
+    event.control = (mods & GLFW_MOD_CONTROL) != 0;
+    event.alt = (mods & GLFW_MOD_ALT) != 0;
+    windowOf(handle).app.viewport.events.push_back(event);
+}
+
+void onScroll(GLFWwindow* handle, double, double y) {
+    happened(handle);
+    PointerEvent event = pointerEvent(handle, PointerKind::wheel);
+    event.wheel = static_cast<float>(y);
+    windowOf(handle).app.viewport.events.push_back(event);
+}
+
+void onDrop(GLFWwindow* handle, int count, const char** paths) {
+    happened(handle);
+    App& app = windowOf(handle).app;
+    if (count > 0 && app.dialogs.current == Dialog::none) openFile(app, paths[0]);
+}
+
+void onClose(GLFWwindow* handle) {
+    happened(handle);
+    glfwSetWindowShouldClose(handle, GLFW_FALSE);
+    windowOf(handle).closing = true;
+}
+
+// Callbacks of our own come first; those of Dear ImGui are chained behind them.
+void listen(GLFWwindow* handle) {
+    glfwSetKeyCallback(handle, onKey);
+    glfwSetCursorPosCallback(handle, onCursor);
+    glfwSetMouseButtonCallback(handle, onButton);
+    glfwSetScrollCallback(handle, onScroll);
+    glfwSetDropCallback(handle, onDrop);
+    glfwSetWindowCloseCallback(handle, onClose);
+    glfwSetCharCallback(handle, [](GLFWwindow* of, unsigned) { happened(of); });
+    glfwSetFramebufferSizeCallback(handle, [](GLFWwindow* of, int, int) { happened(of); });
+    glfwSetWindowRefreshCallback(handle, happened);
+    glfwSetWindowFocusCallback(handle, [](GLFWwindow* of, int) { happened(of); });
+    glfwSetCursorEnterCallback(handle, [](GLFWwindow* of, int) { happened(of); });
+    glfwSetWindowContentScaleCallback(handle, [](GLFWwindow* of, float, float) { happened(of); });
+}
+
+// GLFW and its window for as long as this lives.
+class Glfw {
+public:
+    explicit Glfw(const EditorOptions& options) {
+        glfwSetErrorCallback([](int, const char* what) {
+            std::fprintf(stderr, "pelage: window system: %s\n", what);
+        });
+        if (!glfwInit()) throw std::runtime_error("no display to open a window on");
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+        handle = glfwCreateWindow(options.width, options.height, "Pelage", nullptr, nullptr);
+        if (!handle) {
+            glfwTerminate();
+            throw std::runtime_error("no window with OpenGL 4.5 core could be opened");
+        }
+        glfwMakeContextCurrent(handle);
+        glfwSwapInterval(1);
+        glfwSetWindowSizeLimits(handle, 800, 500, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    }
+    ~Glfw() {
+        glfwDestroyWindow(handle);
+        glfwTerminate();
+    }
+    Glfw(const Glfw&) = delete;
+    Glfw& operator=(const Glfw&) = delete;
+    GLFWwindow* handle = nullptr;
+};
+
+// Dear ImGui and its back ends for as long as this lives.
+class Widgets {
+public:
+    explicit Widgets(GLFWwindow* handle) {
+        IMGUI_CHECKVERSION();
+        ImGui::CreateContext();
+        ImGui::GetIO().IniFilename = nullptr;
+        ImGui::GetIO().ConfigWindowsMoveFromTitleBarOnly = true;
+        ImGui_ImplGlfw_InitForOpenGL(handle, true);
+        ImGui_ImplOpenGL3_Init("#version 450 core");
+    }
+    ~Widgets() {
+        ImGui_ImplOpenGL3_Shutdown();
+        ImGui_ImplGlfw_Shutdown();
+        ImGui::DestroyContext();
+    }
+    Widgets(const Widgets&) = delete;
+    Widgets& operator=(const Widgets&) = delete;
+};
+
+// Makes fonts and style anew when the display, the settings or PELAGE_SCALE ask for another size.
+void followScale(Window& window) {
+    int width = 0, pixels = 0, height = 0;
+    glfwGetWindowSize(window.handle, &width, &height);
+    glfwGetFramebufferSize(window.handle, &pixels, &height);
+    if (width <= 0 || pixels <= 0) return;
+    const float ratio = static_cast<float>(pixels) / static_cast<float>(width);
+    float content = 1.0f, unused = 1.0f;
+    glfwGetWindowContentScale(window.handle, &content, &unused);
+    App& app = window.app;
+    float scale = content / ratio;
+    if (app.settings.scale > 0.0f) scale = app.settings.scale;
+    if (const char* wish = std::getenv("PELAGE_SCALE"); wish && std::atof(wish) > 0.0)
+        scale = static_cast<float>(std::atof(wish));
+    scale = std::clamp(scale, 0.5f, 4.0f);
+    const bool same = app.theme.regular && scale == app.theme.scale && ratio == app.viewport.pixels;
+    if (same) return;
+    app.viewport.pixels = ratio;
+    app.theme = applyTheme(scale, ratio);
+    ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the next frame makes them, with the new fonts
+}
+
+// Sleeps until something happens, or until something that goes on by itself needs a frame.
+void awaitEvents(Window& window) {
+    App& app = window.app;
+    const double now = glfwGetTime();
+    double wait = 1e9;
+    if (window.redraws > 0 || window.closing) wait = 0.0;
+    if (app.isOpen() && !app.stats.finished) wait = 0.0;
+    if (window.keys.moving)
+        wait = std::min(wait, std::max(window.keys.changed + kRest - now, 0.001));
+    if (app.work.running()) wait = std::min(wait, 0.1);
+    if (app.tips.wakeAt > 0.0) wait = std::min(wait, std::max(app.tips.wakeAt - now, 0.01));
+    if (ImGui::GetIO().WantTextInput) wait = std::min(wait, 0.4);  // the cursor blinks
+    if (glfwGetWindowAttrib(window.handle, GLFW_ICONIFIED)) wait = std::max(wait, 0.2);
+    if (wait <= 0.0)
+        glfwPollEvents();
+    else if (wait < 1e6)
+        glfwWaitEventsTimeout(wait);
+    else
+        glfwWaitEvents();
+}
+
+void showTitle(Window& window) {
+    const App& app = window.app;
+    std::string title = app.isOpen() ? app.name + (app.saved() ? "" : "*") + " - Pelage" : "Pelage";
+    if (title == window.title) return;
+    glfwSetWindowTitle(window.handle, title.c_str());
+    window.title = std::move(title);
+}
+
+void loop(Window& window) {
+    App& app = window.app;
+    while (!app.quit) {
+        window.events = false;
+        awaitEvents(window);
+        if (window.redraws > 0 && !window.events) --window.redraws;
+        try {
+            app.work.collect();
+        } catch (const std::exception& error) {
+            complain(app, error.what());
+        }
+        if (window.closing && app.dialogs.current == Dialog::none && app.dialogs.problem.empty())
+            requestQuit(app);
+        window.closing = false;
+        followScale(window);
+        int width = 0, height = 0;
+        glfwGetFramebufferSize(window.handle, &width, &height);
+        if (width <= 0 || height <= 0) continue;
+
+        ImGui_ImplOpenGL3_NewFrame();
+        ImGui_ImplGlfw_NewFrame();
+        ImGui::NewFrame();
+        drawFrame(app, *window.renderer, window.keys, glfwGetTime(), window.events);
+        window.keys.moving = glfwGetTime() - window.keys.changed < kRest;
+        ImGui::Render();
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glViewport(0, 0, width, height);
+        glClearColor(color::kBack.x, color::kBack.y, color::kBack.z, 1.0f);
+        glClear(GL_COLOR_BUFFER_BIT);
+        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+        glfwSwapBuffers(window.handle);
+        showTitle(window);
+    }
+}
+
+// Settings, journal, and work that an earlier editor could not save.
+void begin(App& app) {
+    const LoadedSettings loaded = loadSettings(settingsPath());
+    app.settings = loaded.settings;
+    if (!loaded.warning.empty()) std::fprintf(stderr, "pelage: %s\n", loaded.warning.c_str());
+    try {
+        const std::string folder = journalFolder();
+        app.dialogs.lost = lostWork(folder);
+        app.journal = std::make_unique<Journal>(folder);
+    } catch (const std::exception& error) {
+        complain(app, std::string("work cannot be kept safe: ") + error.what());
+    }
+    for (const LostWork& lost : app.dialogs.lost)
+        trace(app, "lost " + std::to_string(lost.edits) + " " + lost.document);
+    if (!app.dialogs.lost.empty()) app.dialogs.current = Dialog::lostWork;
+}
+
+}  // namespace
+
+int runEditor(const EditorOptions& options) {
+    assert(firstClash().empty());
+    const Glfw glfw(options);
+    Window window;
+    window.handle = glfw.handle;
+    App& app = window.app;
+    app.wake = [] { glfwPostEmptyEvent(); };
+    const char* tracing = std::getenv("PELAGE_TRACE");
+    app.trace = tracing && *tracing && *tracing != '0';
+    glfwSetWindowUserPointer(glfw.handle, &window);
+    listen(glfw.handle);
+    const Widgets widgets(glfw.handle);
+    window.renderer = std::make_unique<Renderer>();
+    app.device = window.renderer->device();
+    begin(app);
+    if (options.file.empty())
+        openAnimal(app);
+    else
+        openFile(app, options.file);
+    loop(window);
+    app.work.cancel();
+    dropSnapshot(app);
+    return app.isOpen() ? 0 : 1;
+}
+
+}  // namespace pelage
