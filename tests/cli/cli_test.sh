@@ -1,0 +1,206 @@
+#!/bin/bash
+# cli_test.sh PROGRAM -- every verb: what it prints, its errors of one line, its exit status.
+set -uo pipefail
+program=$(realpath "$1")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+unset DISPLAY WAYLAND_DISPLAY
+failures=0
+
+fail() {
+    echo "FAILED: $*"
+    failures=$((failures + 1))
+}
+
+# expect STATUS ARGUMENTS...: runs the program; its output is then in out.txt and err.txt.
+expect() {
+    local wanted=$1 status=0
+    shift
+    "$program" "$@" >out.txt 2>err.txt || status=$?
+    [ "$status" = "$wanted" ] || fail "exit status $status, expected $wanted: pelage $* ($(cat err.txt))"
+}
+# Success: nothing on stderr.
+good() {
+    expect 0 "$@"
+    [ ! -s err.txt ] || fail "stderr of pelage $*: $(cat err.txt)"
+}
+# good, and stdout is one JSON object for which every Python expression over j is true.
+json() {
+    local checks=()
+    while [ "$1" != -- ]; do
+        checks+=("$1")
+        shift
+    done
+    shift
+    good "$@"
+    for check in "${checks[@]}"; do
+        node -e '
+            const text = require("fs").readFileSync("out.txt", "utf8");
+            if (text.indexOf("\n") !== text.length - 1) throw Error("not one line");
+            const j = JSON.parse(text);
+            if (!eval(process.argv[1])) throw Error(text);
+        ' "$check" 2>node.txt || fail "pelage $*: not ($check): $(grep -m1 Error node.txt)"
+    done
+}
+# bad STATUS PATTERN ARGUMENTS...: one line on stderr that matches, nothing on stdout.
+bad() {
+    local status=$1 pattern=$2
+    shift 2
+    expect "$status" "$@"
+    [ ! -s out.txt ] || fail "stdout of pelage $*: $(head -1 out.txt)"
+    [ "$(wc -l <err.txt)" = 1 ] || fail "stderr of pelage $* is not one line: $(cat err.txt)"
+    grep -qE "^pelage: $pattern" err.txt || fail "stderr of pelage $*: $(cat err.txt)"
+}
+png_size() {
+    identify -format '%wx%h' "$1" 2>&1
+}
+
+cat >tetra.obj <<'OBJ'
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+f 1 3 2
+f 1 2 4
+f 1 4 3
+f 2 3 4
+OBJ
+
+# Help and version.
+good --version
+grep -qE '^pelage [0-9]+\.[0-9]+\.[0-9]+$' out.txt || fail "version: $(cat out.txt)"
+good --help
+for verb in info render export animal presets; do
+    good --help
+    grep -q "  $verb " out.txt || fail "help does not name $verb"
+    good "$verb" --help
+    grep -q -- --json out.txt || fail "help of $verb does not name --json"
+done
+
+# Presets.
+good presets
+grep -q '^house cat  ' out.txt || fail "presets: $(cat out.txt)"
+json 'j.presets.length >= 10' 'j.presets.some(p => p.name === "mink" && p.fur.over.stiffness > 0)' \
+    -- presets --json
+json 'j.presets.length >= 10' -- --json presets
+
+# Animal.
+good animal -o animal.glb --triangles 2000
+[ "$(head -c 4 animal.glb)" = glTF ] || fail "animal.glb is no .glb"
+json 'j.triangles >= 1800 && j.triangles <= 2200' 'j.output === "animal.glb"' 'j.bytes > 1000' \
+    -- animal -o animal.glb --triangles 2000 --json
+bad 2 'animal .*--triangles' animal -o animal.glb --triangles 1999
+bad 2 'animal .*--triangles' animal -o animal.glb --triangles 2000001
+bad 2 'animal .*--triangles' animal -o animal.glb --triangles many
+bad 2 'animal .*--output is required' animal
+bad 1 'no/such/folder/x.glb: ' animal --triangles 2000 -o no/such/folder/x.glb
+
+# Info.
+json 'j.vertices === 4' 'j.triangles === 4' 'j.weldedVertices === 4' 'j.nonManifoldEdges === 0' \
+    'j.boundaryEdges === 0' 'j.degenerateFaces === 0' 'j.hasFur === false' 'j.joints === 0' \
+    'j.animations === 0' 'Array.isArray(j.warnings)' 'Array.isArray(j.segments)' \
+    'j.bounds.min.join() === "0,0,0"' 'j.bounds.max.join() === "1,1,1"' \
+    'Object.keys(j.fields).length === 0' -- info tetra.obj --json
+json 'j.hasFur === true' 'j.fields.length.max > j.fields.length.min' 'j.fields.density.max <= 1' \
+    'j.fields.direction.max <= 1.0001' -- info animal.glb --json
+good info tetra.obj
+grep -qE '^  triangles +4$' out.txt || fail "info: $(cat out.txt)"
+bad 1 'none\.obj: ' info none.obj
+bad 1 'none\.obj: ' info none.obj --json
+bad 1 '\.: ' info .
+bad 2 'info .*FILE is required' info
+bad 2 'info .*' info tetra.obj animal.glb
+bad 2 'info .*--no-such-option' info --no-such-option tetra.obj
+head -c 100 animal.glb >cut.glb
+bad 1 'cut\.glb: ' info cut.glb
+printf 'v 0 0 0\nf 1 2 3\n' >index.obj
+bad 1 'index\.obj: ' info index.obj --json
+
+# Any file name.
+for name in info -x.obj --help 'a b.obj' '[x].obj' '{}' 'ü.obj' $'new\nline.obj' 'it"s.obj'; do
+    case $name in *.obj) file=$name ;; *) file=$name.obj ;; esac
+    cp tetra.obj "./$file"
+    json 'j.triangles === 4' -- info --json -- "$file"
+    good export -o named.glb -- "$file"
+done
+cp animal.glb ./info
+cp animal.glb ./--json
+json 'j.triangles > 4' 'j.hasFur' -- info --json info
+json 'j.triangles > 4' -- info --json -- --json
+cp tetra.obj $'bad\xffutf.obj'
+json 'j.triangles === 4' -- info --json -- $'bad\xffutf.obj'
+bad 1 'no such line.obj: ' info $'no\nsuch\nline.obj'
+
+# Export.
+json 'j.triangles === 4' 'j.vertices === 4' 'j.hairs === 5000' \
+    -- export tetra.obj -o tetra.glb --preset mink --hairs 5000 --set over.stiffness=0.25 --set fur.seed=9 --json
+json 'j.hasFur' -- info tetra.glb --json
+strings tetra.glb | grep -q '"stiffness":0.25' || fail "--set is not in the export"
+strings tetra.glb | grep -q '"seed":9' || fail "the second --set is not in the export"
+good export --animal 2000 -o a.glb
+good export --animal 2000 -o b.glb
+cmp -s a.glb b.glb || fail "the same export twice differs"
+good export --animal 2000 --compatibility-uvs -o c.glb
+strings c.glb | grep -q TEXCOORD_4 || fail "no compatibility UVs"
+printf 'set over.stiffness 0.75\nflood density set 0.5 strength 1\n' >lines.txt
+good export --animal 2000 --script lines.txt -o d.glb
+json 'j.fields.density.min === 0.5' 'j.fields.density.max === 0.5' -- info d.glb --json
+printf 'set over.stiffness 0.75\nset over.stiffness 7\n' >wrong.txt
+bad 1 'wrong\.txt: line 2: .*over\.stiffness is 7, range 0\.\.1' \
+    export tetra.obj --script wrong.txt -o never.glb
+bad 1 'none\.txt: ' export tetra.obj --script none.txt -o never.glb
+bad 2 '--set over\.stiffness=3: over\.stiffness is 3, range 0\.\.1' \
+    export tetra.obj --set over.stiffness=3 -o never.glb
+bad 2 '--set over\.softness=3: there is no parameter' export tetra.obj --set over.softness=3 -o never.glb
+bad 2 '--set stiff: expected NAME=VALUE' export tetra.obj --set stiff -o never.glb
+bad 2 '--preset: there is no preset "poodle"' export tetra.obj --preset poodle -o never.glb
+bad 2 'export .*--hairs' export tetra.obj --hairs 5000001 -o never.glb
+bad 2 'expected a FILE or --animal N' export -o never.glb
+bad 2 'expected a FILE or --animal N' export tetra.obj --animal 2000 -o never.glb
+bad 2 'export .*--output is required' export tetra.obj
+[ ! -e never.glb ] || fail "a refused export wrote a file"
+
+# Render.
+json 'j.width === 96 && j.height === 64' 'j.hairsTotal > 1000' 'j.hairsDrawn <= j.hairsTotal' \
+    'j.msFrame > 0' 'j.msFrames.length === 3' 'j.technique === "polyline"' 'j.bytesPerHair <= 16' \
+    'j.samples === 2' 'j.device.length > 0' 'j.triangles >= 1800' \
+    -- render --animal 2000 --hairs 3000 --size 96x64 --samples 2 --repeat 3 -o r.png --json
+[ "$(png_size r.png)" = 96x64 ] || fail "r.png: $(png_size r.png)"
+good render tetra.obj --size 64x64 --samples 1 --yaw -30 --pitch -10 --distance 3.5 \
+    --technique polyline --preset fox --script lines.txt -o r2.png
+grep -qE '^wrote r2\.png: 64x64, [0-9]+ of [0-9]+ hairs, ' out.txt || fail "render: $(cat out.txt)"
+good render --animal 2000 --hairs 0 --size 32x32 --samples 1 -o bald.png
+good render --animal 2000 --hairs 3000 --size 64x64 --samples 2 -o one.png
+good render --animal 2000 --hairs 3000 --size 64x64 --samples 2 -o two.png
+cmp -s one.png two.png || fail "the same picture twice differs"
+bad 1 'no/such/x\.png: ' render tetra.obj --size 8x8 --samples 1 -o no/such/x.png
+for size in 0x8 8x 8 8x8x8 x8 -1x8 8x9000 '8 x8' ''; do
+    bad 2 'render .*--size' render tetra.obj --size "$size" -o never.png
+done
+bad 2 'render .*--technique' render tetra.obj --technique magic -o never.png
+bad 2 'render .*--samples' render tetra.obj --samples 0 -o never.png
+bad 2 'render .*--pitch' render tetra.obj --pitch nan -o never.png
+bad 2 'render .*--distance' render tetra.obj --distance 0 -o never.png
+
+# Wrong use of the program itself.
+bad 2 '.*--nonsense' --nonsense
+bad 2 '"tetra\.obj" stands before the verb info' tetra.obj info animal.glb
+bad 2 '.*' tetra.obj animal.glb
+
+# Without a display: pictures and a groomed .glb in place of the editor.
+json 'j.written.length === 5' 'j.written.includes("pelage-out/tetra-groomed.glb")' -- --json tetra.obj
+for name in front side three-quarter close-up; do
+    [ "$(png_size pelage-out/$name.png)" = 1200x900 ] || fail "pelage-out/$name.png"
+done
+json 'j.hasFur' -- info pelage-out/tetra-groomed.glb --json
+bad 1 'none\.obj: ' none.obj
+
+# A full disk is failed work.
+if [ -e /dev/full ]; then
+    "$program" presets >/dev/full 2>err.txt
+    [ $? = 1 ] || fail "exit status of a full stdout"
+fi
+
+[ "$failures" = 0 ] && echo "the command line is right"
+[ "$failures" = 0 ]
