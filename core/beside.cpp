@@ -70,7 +70,8 @@ std::string inQuotes(std::string_view text) {
 
 std::string pathBeside(const std::string& owner, std::string_view uri) {
     const auto refuse = [&](const std::string& why) {
-        throw std::runtime_error(owner + ": reference " + inQuotes(uri) + " " + why);
+        throw std::runtime_error((owner.empty() ? "" : owner + ": ") + "reference " +
+                                 inQuotes(uri) + " " + why);
     };
     if (owner.empty()) refuse("is to another file, and there is no folder to look in");
     const std::string name = percentDecoded(uri);
