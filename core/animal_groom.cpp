@@ -38,6 +38,24 @@ FurVertex furAt(const animal::Shape& shape, vec3 p, vec3 n) {
     return fur;
 }
 
+// Evens out the direction where pieces that are combed differently meet.
+void smoothDirections(const Skin& skin, std::vector<FurVertex>& fur) {
+    std::vector<vec3> next(fur.size());
+    for (int round = 0; round < 3; ++round) {
+        tbb::parallel_for(std::size_t(0), fur.size(), [&](std::size_t v) {
+            vec3 sum = fur[v].direction;
+            float count = 1.0f;
+            for (const uint n : skin.ring(uint(v))) {
+                sum += fur[n].direction;
+                count += 1.0f;
+            }
+            const vec3 normal = skin.vertices[v].normal;
+            next[v] = sum / count - glm::dot(sum / count, normal) * normal;
+        });
+        for (std::size_t v = 0; v < fur.size(); ++v) fur[v].direction = next[v];
+    }
+}
+
 // The look that goes with the animal's picture.
 Fur animalFur() {
     Fur fur = defaultFur();
@@ -75,6 +93,7 @@ Document groomedAnimal(std::size_t triangles) {
     tbb::parallel_for(std::size_t(0), count, [&](std::size_t v) {
         fur[v] = furAt(shape, skin->vertices[v].position, skin->vertices[v].normal);
     });
+    smoothDirections(*skin, fur);
     Groom groom{Chunked<FurVertex>(count, FurVertex{}), Chunked<float>(count, 0.0f)};
     for (std::size_t v = 0; v < count; ++v) groom.fur.edit(v) = fur[v];
     return {skin, std::move(groom), animalFur()};

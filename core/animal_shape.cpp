@@ -4,18 +4,22 @@
 // exact where two of them differ by more than the blend, so that pieces far away can be left out.
 #include "animal_shape.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 #include "animal_body.h"
 
 namespace pelage::animal {
 namespace {
 
-constexpr float kGridCell = 0.04f;     // m; of the grid of candidates
-constexpr float kReach = 0.10f;        // m; beyond this a piece neither blends nor colors
+constexpr float kGridCell = 0.025f;    // m; of the grid of candidates
+constexpr int kGroup = 4;              // cells along the edge of a group
+constexpr float kReach = 0.08f;        // m; beyond this a piece neither blends nor colors
 constexpr float kBlendReach = 0.055f;  // m; of the weights of hair and color
 
 vec3 unit(vec3 v) {
@@ -109,53 +113,74 @@ Sample single(vec3 p, const Part& part) {
 // The piece, with its mirror image where it has one.
 Sample whole(vec3 p, const Part& part) {
     const Sample here = single(p, part);
-    if (!part.paired) return here;
+    // The image is farther than the plane x = 0 and the piece's own way from it.
+    const float inner = std::min(part.a.x - part.ra, part.b.x - part.rb) - part.radii.x;
+    if (!part.paired || here.distance + part.blend < p.x + inner) return here;
     Sample there = single(vec3(-p.x, p.y, p.z), part);
     there.gradient.x = -there.gradient.x;
     return smoothMin(here, there, std::max(part.blend, 1e-4f));
 }
 
-ivec2 gridSize() {
-    return ivec2(int((kUpper.x - kLower.x) / kGridCell) + 1,
-                 int((kUpper.y - kLower.y) / kGridCell) + 1);
+struct Grid {
+    int x, y, z;  // cells
+    std::size_t index(int i, int j, int k) const { return std::size_t((k * y + j) * x + i); }
+};
+Grid gridOf() {
+    const vec3 cells = (kUpper - kLower) / kGridCell;
+    return {int(cells.x) + 1, int(cells.y) + 1, int(cells.z) + 1};
 }
-int gridDepth() { return int((kUpper.z - kLower.z) / kGridCell) + 1; }
 
 }  // namespace
 
 Shape::Shape(float cell) : parts_(bodyParts(cell)) {
     assert(parts_.size() <= Blend{}.terms.size());
-    // For each cell of a coarse grid, the pieces that can matter to any point in it.
-    const ivec2 size = gridSize();
-    const float halfDiagonal = 0.867f * kGridCell;
-    near_.resize(std::size_t(size.x) * std::size_t(size.y) * std::size_t(gridDepth()));
-    std::size_t cellIndex = 0;
-    for (int z = 0; z < gridDepth(); ++z) {
-        for (int y = 0; y < size.y; ++y) {
-            for (int x = 0; x < size.x; ++x, ++cellIndex) {
-                const vec3 middle =
-                    kLower + (vec3(float(x), float(y), float(z)) + 0.5f) * kGridCell;
-                std::vector<float> distances;
-                for (const Part& part : parts_) distances.push_back(whole(middle, part).distance);
-                const float least = *std::min_element(distances.begin(), distances.end());
-                for (std::size_t i = 0; i < parts_.size(); ++i) {
-                    if (distances[i] <= least + 2.0f * kLipschitz * halfDiagonal + kReach) {
-                        near_[cellIndex].push_back(static_cast<unsigned char>(i));
-                    }
+    // Of some pieces, those that can matter to any point of a cube.
+    const auto mattering = [&](const std::vector<unsigned char>& among, vec3 middle, float edge) {
+        std::array<float, 64> distances;
+        float least = 1e3f;
+        for (const unsigned char i : among) {
+            distances[i] = whole(middle, parts_[i]).distance;
+            least = std::min(least, distances[i]);
+        }
+        std::vector<unsigned char> kept;
+        const float most = least + 2.0f * kLipschitz * 0.867f * edge + kReach;
+        for (const unsigned char i : among) {
+            if (distances[i] <= most) kept.push_back(i);
+        }
+        return kept;
+    };
+    std::vector<unsigned char> all(parts_.size());
+    std::iota(all.begin(), all.end(), static_cast<unsigned char>(0));
+    const Grid grid = gridOf();
+    near_.resize(std::size_t(grid.x) * std::size_t(grid.y) * std::size_t(grid.z));
+    const auto coarse = [](int cells) { return (cells + kGroup - 1) / kGroup; };
+    tbb::parallel_for(0, coarse(grid.z), [&](int gz) {
+        for (int gy = 0; gy < coarse(grid.y); ++gy) {
+            for (int gx = 0; gx < coarse(grid.x); ++gx) {
+                const vec3 first(float(gx * kGroup), float(gy * kGroup), float(gz * kGroup));
+                const float edge = float(kGroup) * kGridCell;
+                const auto group = mattering(all, kLower + first * kGridCell + 0.5f * edge, edge);
+                for (int i = 0; i < kGroup * kGroup * kGroup; ++i) {
+                    const int x = gx * kGroup + i % kGroup;
+                    const int y = gy * kGroup + i / kGroup % kGroup;
+                    const int z = gz * kGroup + i / (kGroup * kGroup);
+                    if (x >= grid.x || y >= grid.y || z >= grid.z) continue;
+                    const vec3 cellPlace = vec3(float(x), float(y), float(z)) + 0.5f;
+                    near_[grid.index(x, y, z)] =
+                        mattering(group, kLower + cellPlace * kGridCell, kGridCell);
                 }
             }
         }
-    }
+    });
 }
 
 std::span<const unsigned char> Shape::candidates(vec3 p) const {
-    const ivec2 size = gridSize();
+    const Grid grid = gridOf();
     const vec3 q = (p - kLower) / kGridCell;
-    const int x = std::clamp(int(q.x), 0, size.x - 1);
-    const int y = std::clamp(int(q.y), 0, size.y - 1);
-    const int z = std::clamp(int(q.z), 0, gridDepth() - 1);
-    return near_[(std::size_t(z) * std::size_t(size.y) + std::size_t(y)) * std::size_t(size.x) +
-                 std::size_t(x)];
+    const int x = std::clamp(int(q.x), 0, grid.x - 1);
+    const int y = std::clamp(int(q.y), 0, grid.y - 1);
+    const int z = std::clamp(int(q.z), 0, grid.z - 1);
+    return near_[grid.index(x, y, z)];
 }
 
 Sample Shape::sample(vec3 p) const {

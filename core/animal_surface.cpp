@@ -21,7 +21,7 @@ namespace {
 constexpr int kBlock = 8;  // cells along the edge of a block
 constexpr int kSamples = kBlock + 1;
 constexpr float kOutside = 1e3f;         // value of a lattice point that is far from the surface
-constexpr float kTrianglesAt1 = 16.55f;  // triangles * cell^2, m^2, of this animal; a first guess
+constexpr float kTrianglesAt1 = 17.35f;  // triangles * cell^2, m^2, of this animal; a first guess
 
 struct Point {
     int x, y, z;
@@ -271,8 +271,8 @@ std::vector<EdgeKey> marchHalf(const Lattice& lattice) {
 
 // The half mesh: vertices in the order of their edges, so that it is the same on every machine.
 struct Half {
-    std::vector<vec3> positions;
-    std::vector<bool> onWall;  // x = 0 for good
+    std::vector<vec3> positions, normals;
+    std::vector<char> onWall;  // x = 0 for good
     std::vector<uvec3> triangles;
 };
 
@@ -348,47 +348,50 @@ vec3 middleOfRing(const Half& half, const Rings& rings, std::size_t v) {
 }
 
 // Spreads the vertices evenly: along the surface towards the middle of their ring, and back onto
-// it.
+// it. Leaves unit normals.
 void relax(const Shape& shape, Half& half, float cell) {
-    constexpr int kRounds = 8;
+    constexpr int kRounds = 7;
     const Rings rings = ringsOf(half);
-    std::vector<vec3> moved(half.positions.size());
-    const auto ontoSurface = [&](vec3 p, float most) {
+    const std::size_t count = half.positions.size();
+    half.normals.resize(count);
+    std::vector<vec3> moved = half.positions;
+    // One Newton step to the surface; the gradient there is the next normal.
+    const auto settle = [&](std::size_t v, vec3 p) {
+        if (half.onWall[v]) p.x = 0.0f;
+        p.x = std::max(p.x, 0.0f);
         const Sample s = shape.sample(p);
-        const float slope = std::max(glm::dot(s.gradient, s.gradient), 0.25f);
-        return p - std::clamp(s.distance / slope, -most, most) * s.gradient;
+        const float slope = glm::dot(s.gradient, s.gradient);
+        const float step = s.distance / std::max(slope, 0.25f);
+        p -= std::clamp(step, -0.5f * cell, 0.5f * cell) * s.gradient;
+        vec3 n = s.gradient / std::sqrt(std::max(slope, 1e-12f));
+        if (half.onWall[v]) {
+            p.x = n.x = 0.0f;
+            n /= std::sqrt(std::max(glm::dot(n, n), 1e-12f));
+        }
+        p.x = std::max(p.x, 0.0f);
+        half.normals[v] = n;
+        moved[v] = p;
     };
+    tbb::parallel_for(std::size_t(0), count, [&](std::size_t v) { settle(v, half.positions[v]); });
     for (int round = 0; round < kRounds; ++round) {
-        const bool last = round + 1 == kRounds;
-        tbb::parallel_for(std::size_t(0), moved.size(), [&](std::size_t v) {
-            const vec3 p = half.positions[v];
-            const Sample s = shape.sample(p);
-            const vec3 n =
-                s.gradient / std::sqrt(std::max(glm::dot(s.gradient, s.gradient), 1e-12f));
+        half.positions = moved;
+        tbb::parallel_for(std::size_t(0), count, [&](std::size_t v) {
+            const vec3 p = half.positions[v], n = half.normals[v];
             const vec3 pull = middleOfRing(half, rings, v) - p;
-            vec3 q = p + 0.6f * (pull - glm::dot(pull, n) * n);
-            if (half.onWall[v]) q.x = 0.0f;
-            q.x = std::max(q.x, 0.0f);
-            for (int step = 0; step < (last ? 4 : 1); ++step) {
-                q = ontoSurface(q, 0.5f * cell);
-                q.x = half.onWall[v] ? 0.0f : std::max(q.x, 0.0f);
-            }
-            moved[v] = q;
+            settle(v, p + 0.6f * (pull - glm::dot(pull, n) * n));
         });
-        half.positions.swap(moved);
     }
+    for (int step = 0; step < 3; ++step) {
+        tbb::parallel_for(std::size_t(0), count, [&](std::size_t v) { settle(v, moved[v]); });
+    }
+    half.positions = std::move(moved);
 }
 
-Surface mirrored(const Shape& shape, const Half& half, float cell) {
+Surface mirrored(Half half, float cell) {
     Surface surface;
     surface.cell = cell;
     surface.positions = half.positions;
-    surface.normals.resize(half.positions.size());
-    tbb::parallel_for(std::size_t(0), half.positions.size(), [&](std::size_t v) {
-        vec3 n = shape.sample(half.positions[v]).gradient;
-        if (half.onWall[v]) n.x = 0.0f;
-        surface.normals[v] = n / std::sqrt(glm::dot(n, n));
-    });
+    surface.normals = std::move(half.normals);
     std::vector<uint> twin(half.positions.size());
     for (std::size_t v = 0; v < half.positions.size(); ++v) {
         twin[v] = uint(v);
@@ -419,7 +422,7 @@ Surface polygonise(std::size_t triangles) {
         if ((excess > 0.95f && excess < 1.05f) || attempt == 12) {
             Half half = connect(lattice, corners);
             relax(shape, half, cell);
-            return mirrored(shape, half, cell);
+            return mirrored(std::move(half), cell);
         }
         cell *= std::sqrt(excess);
     }
