@@ -53,26 +53,11 @@ vec3 laidOnSkin(vec3 comb, vec3 normal) {
     return kLean * tangential / std::max(glm::length(tangential), 0.4f);
 }
 
-}  // namespace
-
-Groom initialGroom(const Skin& skin) {
-    const std::size_t count = skin.vertices.size();
-    Groom groom{Chunked<FurVertex>(count, FurVertex{}), Chunked<float>(count, 0.0f)};
-    const SourceFur* carried = skin.source->fur.get();
-    if (carried) {
-        // Of welded vertices with different values the first in the file counts.
-        const std::vector<uint> first = firstSourceVertex(skin);
-        for (uint v = 0; v < count; ++v) {
-            FurVertex& fur = groom.fur.edit(v);
-            fur.direction = carried->direction[first[v]];
-            fur.furLength = carried->length[first[v]];
-            fur.density = carried->density[first[v]];
-        }
-        return groom;
-    }
+// What a mesh has that nobody has groomed.
+void paintFirst(const Skin& skin, Groom& groom) {
     const std::span<const Segment> segments = skin.segments();
     const float size = skin.size();
-    for (uint v = 0; v < count; ++v) {
+    for (uint v = 0; v < skin.vertices.size(); ++v) {
         const SkinVertex& vertex = skin.vertices[v];
         const vec3 comb = segments.empty()
                               ? kDownAndBack
@@ -82,6 +67,26 @@ Groom initialGroom(const Skin& skin) {
         fur.furLength = kShareOfSize * size;
         fur.density = 1.0f;
         groom.fur.edit(v) = furToMesh(skin, v, fur);
+    }
+}
+
+}  // namespace
+
+Groom initialGroom(const Skin& skin) {
+    const std::size_t count = skin.vertices.size();
+    Groom groom{Chunked<FurVertex>(count, FurVertex{}), Chunked<float>(count, 0.0f)};
+    const SourceFur* carried = skin.source->fur.get();
+    const bool complete = carried && !carried->length.empty() && !carried->density.empty() &&
+                          !carried->direction.empty();
+    if (!complete) paintFirst(skin, groom);
+    if (!carried) return groom;
+    // Of welded vertices with different values the first in the file counts.
+    const std::vector<uint> first = firstSourceVertex(skin);
+    for (uint v = 0; v < count; ++v) {
+        FurVertex& fur = groom.fur.edit(v);
+        if (!carried->direction.empty()) fur.direction = carried->direction[first[v]];
+        if (!carried->length.empty()) fur.furLength = carried->length[first[v]];
+        if (!carried->density.empty()) fur.density = carried->density[first[v]];
     }
     return groom;
 }

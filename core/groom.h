@@ -18,8 +18,8 @@ struct Groom {
 enum class Channel { length, density, direction, mask };
 
 // The groom of a mesh that nobody has groomed yet: length 4 % of the bounds' diagonal, density 1,
-// combed towards the tail where the skin has segments, otherwise along gravity; or the fields
-// found in the file, bit for bit.
+// combed towards the tail where the skin has segments, otherwise along gravity; in place of that
+// the fields found in the file, bit for bit.
 Groom initialGroom(const Skin& skin);
 
 // The largest and smallest values of a channel over all vertices (direction: of its magnitude).

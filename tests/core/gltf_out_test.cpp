@@ -276,6 +276,16 @@ TEST(GltfOut, FieldsOfOtherProgramsAreReplacedAndTheFileStopsGrowing) {
     EXPECT_EQ(groomedGlb(opened(first)), first);
 }
 
+TEST(GltfOut, FieldsThatAFileLacksAreThoseOfAFirstGroom) {
+    const auto file = crowdedFile(OrderedJson::parse(
+        R"([{"op": "add", "path": "/meshes/1/primitives/0/attributes/_fur_length", "value": 2}])"));
+    const Document bare = opened(crowdedFile()), partial = opened(file);
+    const uint v = partial.skin->weld.back();
+    EXPECT_EQ(partial.groom.fur[v].furLength, 2.5f);
+    EXPECT_EQ(partial.groom.fur[v].density, bare.groom.fur[v].density);
+    EXPECT_EQ(partial.groom.fur[v].direction, bare.groom.fur[v].direction);
+}
+
 TEST(GltfOut, AnotherGroomOfTheSameFileHasTheSameSize) {
     Document document = painted(crowdedFile());
     const auto first = groomedGlb(document);
