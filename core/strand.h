@@ -11,7 +11,7 @@ uint hairId(uint triangle, uint k, uint seed);
 bool isOvercoat(uint id, float share);
 vec3 safeUnit(vec3 v, vec3 fallback);
 vec3 anyTangent(vec3 n);
-vec3 baryWeights(uint packed);
+vec3 baryWeights(uint bary);
 vec3 randomInBall(uint id);
 float arcOfUnitCurve(float m);
 
@@ -19,6 +19,7 @@ Strand bendStrand(vec3 root, vec3 n, vec3 painted, float spineLength, Coat coat,
                   vec3 gravityDirection, float gravity);
 Strand growStrand(Root root, SkinVertex a, SkinVertex b, SkinVertex c, FurVertex fa, FurVertex fb,
                   FurVertex fc, Fur fur, float autoWidth);
+vec2 strandWeights(float t);
 vec3 strandPoint(Strand s, float t);
 vec3 strandTangent(Strand s, float t);
 vec3 strandNormal(Strand s, vec3 tangent);

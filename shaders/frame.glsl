@@ -47,10 +47,10 @@ vec3 toEye(vec3 position) {
     return frame.perspective > 0.0 ? normalize(frame.eye - position) : -frame.forward;
 }
 
-// Base color of a material at a texture coordinate, times the color of the vertex.
-vec3 materialColor(uint material, vec2 uv, vec3 vertexColor) {
+// Base color of a material at a texture coordinate.
+vec3 materialColor(uint material, vec2 uv) {
     Material m = materials[material];
-    vec3 color = m.color * vertexColor;
+    vec3 color = m.color;
     if (m.layer >= 0.0) color *= textureLod(baseColors, vec3(uv, m.layer), 0.0).rgb;
     return color;
 }

@@ -5,23 +5,21 @@
 
 layout(std430, binding = 6) readonly buffer Mask { float mask[]; };
 
-out vec3 normal;
 out vec2 uv;
-out vec3 vertexColor;
-out vec3 position;
-out float depth;   // optical depth of the coat above
+out vec3 shade;    // color of the vertex times the light that reaches it through the coat
 out float field;   // value of the overlay
 
 void main() {
     Corner corner = corners[gl_VertexID];
     SkinVertex v = skinVertices[corner.skinVertex];
     FurVertex f = furVertices[corner.skinVertex];
-    position = v.position;
-    normal = v.normal;
     uv = corner.uv;
-    vertexColor = unpackUnorm4x8(corner.color).rgb;
-    depth = depthInCoat(fur, frame.hairsPerArea * f.density, f.furLength, frame.overWidth,
-                        frame.underWidth, 0u, 0.0);
+    vec3 n = v.normal;
+    if (dot(n, toEye(v.position)) < 0.0) n = -n;  // open meshes are seen from inside too
+    float depth = frame.overlay != 0u ? 0.0
+                                      : depthInCoat(fur, frame.hairsPerArea * f.density, f.furLength,
+                                                    frame.overWidth, frame.underWidth, 0u, 0.0);
+    shade = skinRadiance(frame.light, unpackUnorm4x8(corner.color).rgb, n, depth);
     field = frame.overlay == 1u   ? f.furLength
             : frame.overlay == 2u ? f.density
             : frame.overlay == 3u ? length(f.direction)

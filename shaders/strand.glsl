@@ -49,9 +49,9 @@ vec3 anyTangent(vec3 n) {
 }
 
 // Weights of the three corners from Root.bary; they add up to 1 and none is negative.
-vec3 baryWeights(uint packed) {
-    float a = float(packed & 65535u) * (1.0f / 65535.0f);
-    float b = float(packed >> 16u) * (1.0f / 65535.0f);
+vec3 baryWeights(uint bary) {
+    float a = float(bary & 65535u) * (1.0f / 65535.0f);
+    float b = float(bary >> 16u) * (1.0f / 65535.0f);
     return vec3(a, b, max(0.0f, 1.0f - a - b));
 }
 
@@ -115,14 +115,15 @@ Strand bendStrand(vec3 root, vec3 n, vec3 painted, float spineLength, Coat coat,
     vec3 bend = cross(end, w);
     s.binormal = dot(bend, bend) > 1e-12f ? safeUnit(bend, anyTangent(w))
                                           : safeUnit(cross(tangent, w), anyTangent(w));
-    s.twist = 3.1415927f * coat.normalRandomness * (2.0f * rand01(id + kDrawTwist) - 1.0f);
+    float twist = 3.1415927f * coat.normalRandomness * (2.0f * rand01(id + kDrawTwist) - 1.0f);
+    s.cosTwist = cos(twist);
+    s.sinTwist = sin(twist);
     s.normal = n;
     s.tone = 1.0f + coat.colorNoise * (2.0f * rand01(id + kDrawTone) - 1.0f);
     s.width = 0.0f;
     s.coat = 0u;
     s.keep = 0.0f;
     s.pad0 = 0.0f;
-    s.pad1 = 0.0f;
     return s;
 }
 
@@ -154,9 +155,15 @@ Strand growStrand(Root root, SkinVertex a, SkinVertex b, SkinVertex c, FurVertex
     return s;
 }
 
+// Weights of the weightless direction and of the end in the point at t: point(t) = origin +
+// scale * (x * weightless + y * end). Linear in the two, so that they may be transformed once for
+// all points of a hair.
+vec2 strandWeights(float t) { return vec2(t * (1.0f - t), t * t); }
+
 // Point of the hair at t in [0,1], root to tip; world.
 vec3 strandPoint(Strand s, float t) {
-    return s.origin + s.scale * ((t * (1.0f - t)) * s.weightless + (t * t) * s.end);
+    vec2 k = strandWeights(t);
+    return s.origin + s.scale * (k.x * s.weightless + k.y * s.end);
 }
 
 // Unit direction of the hair at t, towards the tip. The curve's derivative is never shorter than
@@ -170,7 +177,7 @@ vec3 strandTangent(Strand s, float t) {
 // the plane in which the hair bends, on the convex side, then turned about the hair by its twist.
 vec3 strandNormal(Strand s, vec3 tangent) {
     vec3 upright = safeUnit(cross(s.binormal, tangent), s.normal);
-    return cos(s.twist) * upright + sin(s.twist) * cross(tangent, upright);
+    return s.cosTwist * upright + s.sinTwist * cross(tangent, upright);
 }
 
 // Diameter at t, m. taper is the share lost at the tip.

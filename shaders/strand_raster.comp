@@ -39,14 +39,13 @@ float fadedWidth(float rank, float lod, float fade) {
     return share / lod;
 }
 
-// Window position (pixels), depth, and width in pixels.
-vec4 project(vec3 position, float width) {
-    vec4 clip = frame.viewProjection * vec4(position, 1.0);
+// Window position (pixels), depth, and width in pixels. In both kinds of projection clip.w is the
+// distance by which widths shrink.
+vec4 toWindow(vec4 clip, float width) {
     if (!(clip.w > 1e-6)) return vec4(-1e9, -1e9, 2.0, 0.0);
-    vec3 ndc = clip.xyz / clip.w;
-    float distance = frame.perspective > 0.0 ? dot(position - frame.eye, frame.forward) : 1.0;
-    return vec4((0.5 * ndc.xy + 0.5) * vec2(frame.size), 0.5 * ndc.z + 0.5,
-                width * frame.pixelsPerMetre / max(distance, 1e-6));
+    float inverse = 1.0 / clip.w;
+    vec3 window = 0.5 + 0.5 * inverse * clip.xyz;
+    return vec4(window.xy * vec2(frame.size), window.z, width * frame.pixelsPerMetre * inverse);
 }
 
 // True where the skin does not stand before this point, or where it cannot tell.
@@ -69,7 +68,7 @@ vec3 colorAtRoot(Root root, vec3 weights, vec3 field) {
         tint = weights.x * unpackUnorm4x8(a.color).rgb + weights.y * unpackUnorm4x8(b.color).rgb +
                weights.z * unpackUnorm4x8(c.color).rgb;
     }
-    return materialColor(triangles[root.triangle].w, uv, tint);
+    return tint * materialColor(triangles[root.triangle].w, uv);
 }
 #endif
 
@@ -99,10 +98,15 @@ void main() {
     // What lies behind the skin or outside the picture is left before it is rasterised.
     uint segments = min(frame.segments, kMostSegments);
     vec4 points[kMostSegments + 1u];
+    vec4 origin = frame.viewProjection * vec4(s.origin, 1.0);
+    vec4 weightless = frame.viewProjection * vec4(s.scale * s.weightless, 0.0);
+    vec4 end = frame.viewProjection * vec4(s.scale * s.end, 0.0);
+    float dt = 1.0 / float(segments);
     bool seen = false;
     for (uint i = 0u; i <= segments; ++i) {
-        float at = float(i) / float(segments);
-        points[i] = project(strandPoint(s, at), strandWidth(s, taper, at));
+        float at = float(i) * dt;
+        vec2 k = strandWeights(at);
+        points[i] = toWindow(origin + k.x * weightless + k.y * end, strandWidth(s, taper, at));
         if (!seen) seen = mayBeSeen(points[i]);
     }
     if (!seen) return;
@@ -119,7 +123,7 @@ void main() {
     vec3 eye = toEye(s.origin);
     vec3 colors[kMostSegments + 1u];
     for (uint i = 0u; i <= segments; ++i) {
-        float at = float(i) / float(segments);
+        float at = float(i) * dt;
         float depth = depthInCoat(fur, perArea, painted, frame.overWidth, frame.underWidth, s.coat, at);
         if (over)
             colors[i] = fiberRadiance(s, fur.over, frame.light, base, at, eye, depth);

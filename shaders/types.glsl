@@ -69,13 +69,13 @@ struct Strand {        // one hair, ready to be evaluated; world space
     vec3 end;          // unit, direction of the tip as seen from the root
     float scale;       // m, makes the curve exactly spineLength long
     vec3 binormal;     // unit, across the plane in which the hair bends
-    float twist;       // rad, by which the shading normal is turned about the hair
+    float cosTwist;    // of the angle by which the shading normal is turned about the hair
     vec3 normal;       // unit, of the skin at the root
     float tone;        // brightness of this hair, about 1
     uint coat;         // 0 over, 1 under
     float keep;        // largest rank at which the hair is drawn: the painted density
+    float sinTwist;    // of the same angle
     float pad0;
-    float pad1;
 };
 
 struct Light {    // what lights the animal

@@ -16,12 +16,12 @@ struct CornerData {  // as Corner in shaders/frame.glsl
     uint skinVertex = 0;
 };
 
-std::vector<uvec4> trianglesWithMaterial(const Skin& skin, uint whiteMaterial) {
-    std::vector<uvec4> triangles(skin.triangles.size());
+std::vector<glm::uvec4> trianglesWithMaterial(const Skin& skin, uint whiteMaterial) {
+    std::vector<glm::uvec4> triangles(skin.triangles.size());
     for (const SourcePart& part : skin.source->parts) {
         const uint material = part.material < 0 ? whiteMaterial : static_cast<uint>(part.material);
         for (uint t = part.firstTriangle; t < part.firstTriangle + part.triangleCount; ++t)
-            triangles[t] = uvec4(skin.triangles[t], material);
+            triangles[t] = glm::uvec4(skin.triangles[t], material);
     }
     return triangles;
 }

@@ -49,7 +49,7 @@ void expand(std::string_view name, std::string_view includedFrom, ShaderText& re
 
 // The driver's log names source numbers, "2:14(5): error: ..."; put the file's name instead.
 std::string readableLog(const std::string& log, const std::vector<std::string>& files) {
-    const std::regex place(R"((\d+)[:(](\d+)\)?)");
+    const std::regex place(R"((\d+)[:(](\d+)\)?(\(\d+\))?:? *)");
     std::smatch match;
     if (!std::regex_search(log, match, place)) return files.front() + ": " + log;
     const std::size_t number = std::stoul(match[1]);
