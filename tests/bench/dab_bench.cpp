@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "bench_animal.h"
@@ -30,17 +31,20 @@ double median(std::vector<double> values, double share = 0.5) {
     return *at;
 }
 
-// Where a stroke along the flank meets the skin; `shift` in sizes, upwards.
-std::vector<SkinHit> flank(const SkinQuery& query, float shift, float spacing) {
+// Where a stroke along the flank meets the skin, at the height at which most of it does.
+std::vector<SkinHit> flank(const SkinQuery& query, float spacing) {
     const Skin& skin = query.skin();
-    std::vector<SkinHit> hits;
-    for (int i = 0; i < 24; ++i) {
-        const vec3 middle = skin.center();
-        const vec3 from(skin.upper.x + skin.size(), middle.y + shift * skin.size(),
-                        middle.z + (static_cast<float>(i) - 12.0f) * spacing);
-        if (const auto hit = query.cast(from, {-1.0f, 0.0f, 0.0f})) hits.push_back(*hit);
+    std::vector<SkinHit> most;
+    for (const float up : {0.0f, 0.05f, 0.1f, 0.15f, -0.05f, -0.1f}) {
+        std::vector<SkinHit> hits;
+        for (int i = 0; i < 24; ++i) {
+            const vec3 from(skin.upper.x + skin.size(), skin.center().y + up * skin.size(),
+                            skin.center().z + (static_cast<float>(i) - 12.0f) * spacing);
+            if (const auto hit = query.cast(from, {-1.0f, 0.0f, 0.0f})) hits.push_back(*hit);
+        }
+        if (hits.size() > most.size()) most = std::move(hits);
     }
-    return hits;
+    return most;
 }
 
 void BM_Dab(benchmark::State& state) {
@@ -48,9 +52,10 @@ void BM_Dab(benchmark::State& state) {
     Brush brush;
     brush.tool = static_cast<Tool>(state.range(1));
     brush.radius = 0.05f * on.document.skin->size();
-    const std::vector<SkinHit> path = flank(on.query, 0.1f, brush.radius / 8.0f);
+    const std::vector<SkinHit> path = flank(on.query, brush.radius / 8.0f);
+    if (path.empty()) return state.SkipWithError("no ray met the flank");
     std::vector<uint> found;
-    if (!path.empty()) on.query.within(path[path.size() / 2].position, brush.radius, found);
+    on.query.within(path[path.size() / 2].position, brush.radius, found);
 
     std::vector<double> dabs, presses;
     std::vector<Stroke> stroke;  // none or one
@@ -66,7 +71,7 @@ void BM_Dab(benchmark::State& state) {
             next = 0;
         }
         const auto start = Clock::now();
-        if (!path.empty()) stroke[0].dab(groom, path[next].position, path[next].normal);
+        stroke[0].dab(groom, path[next].position, path[next].normal);
         dabs.push_back(secondsSince(start));
         state.SetIterationTime(dabs.back());
         ++next;
@@ -90,14 +95,15 @@ void BM_DabOfRadius(benchmark::State& state) {
     Brush brush;
     brush.tool = Tool::length;
     brush.radius = static_cast<float>(state.range(0)) * 0.01f * on.document.skin->size();
-    const std::vector<SkinHit> path = flank(on.query, 0.1f, 0.0f);
+    const std::vector<SkinHit> path = flank(on.query, 0.0f);
+    if (path.empty()) return state.SkipWithError("no ray met the flank");
     std::vector<uint> found;
-    if (!path.empty()) on.query.within(path[0].position, brush.radius, found);
+    on.query.within(path[0].position, brush.radius, found);
     for (auto _ : state) {
         Groom groom = on.document.groom;
         Stroke stroke(on.query, groom, brush);
         const auto start = Clock::now();
-        if (!path.empty()) stroke.dab(groom, path[0].position, path[0].normal);
+        stroke.dab(groom, path[0].position, path[0].normal);
         state.SetIterationTime(secondsSince(start));
     }
     state.counters["footprint"] = static_cast<double>(found.size());
