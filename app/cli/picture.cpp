@@ -46,15 +46,7 @@ double median(std::vector<double> values) {
 }
 
 void writePicture(const std::string& path, const Renderer& renderer, ivec2 size) {
-    const std::vector<unsigned char> upwards = renderer.pixels();
-    const std::size_t row = 4 * static_cast<std::size_t>(size.x);
-    std::vector<unsigned char> downwards;
-    downwards.reserve(upwards.size());
-    for (std::size_t end = upwards.size(); end >= row; end -= row) {
-        const auto last = upwards.begin() + static_cast<std::ptrdiff_t>(end);
-        downwards.insert(downwards.end(), last - static_cast<std::ptrdiff_t>(row), last);
-    }
-    writePng(path, size, downwards);
+    writePng(path, size, renderer.pixels());
 }
 
 }  // namespace pelage

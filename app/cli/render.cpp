@@ -41,6 +41,22 @@ std::string checkSize(const std::string& text) {
     return "\"" + text + "\" is not WIDTHxHEIGHT, each 1 to " + std::to_string(kMaxSide);
 }
 
+// CLI::Range lets NaN through.
+CLI::Validator between(float least, float greatest) {
+    return {[=](const std::string& text) -> std::string {
+                float value = 0.0f;
+                const char* end = text.data() + text.size();
+                const auto [stop, error] = std::from_chars(text.data(), end, value);
+                const bool number = error == std::errc() && stop == end;
+                if (number && value >= least && value <= greatest) return "";
+                char range[64];
+                std::snprintf(range, sizeof range, "%g to %g", static_cast<double>(least),
+                              static_cast<double>(greatest));
+                return "\"" + text + "\" is not a number of " + range;
+            },
+            ""};
+}
+
 View viewOf(const Document& document, const Options& options) {
     View view;
     view.size = *parseSize(options.size);
@@ -117,15 +133,15 @@ void addRender(CLI::App& app, bool& json) {
     verb->add_option("--distance", options->distance,
                      "m from the eye to the middle of the model; without it the model is framed")
         ->type_name("D")
-        ->check(CLI::Range(1e-6f, 1e6f));
+        ->check(between(1e-6f, 1e6f));
     verb->add_option("--yaw", options->yaw, "Degrees to the animal's left; 0 looks at its face")
         ->type_name("A")
         ->capture_default_str()
-        ->check(CLI::Range(-3600.0f, 3600.0f));
+        ->check(between(-3600.0f, 3600.0f));
     verb->add_option("--pitch", options->pitch, "Degrees from above")
         ->type_name("A")
         ->capture_default_str()
-        ->check(CLI::Range(-90.0f, 90.0f));
+        ->check(between(-90.0f, 90.0f));
     verb->add_option("--samples", options->samples, "Frames that the picture averages")
         ->type_name("N")
         ->capture_default_str()
