@@ -1,6 +1,8 @@
 // animal.cpp -- the built-in animal as a source, as if it had been read from a file.
 #include "animal.h"
 
+#include <tbb/parallel_for.h>
+
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -35,9 +37,8 @@ Source makeAnimal(std::size_t triangles) {
     source.materials.push_back({"animal", vec4(1.0f), 0});
     source.segments = animal::bodySegments();
     std::vector<uint> segments(surface.positions.size());
-    for (std::size_t v = 0; v < segments.size(); ++v) {
-        segments[v] = segmentAt(shape, surface.positions[v]);
-    }
+    tbb::parallel_for(std::size_t(0), segments.size(),
+                      [&](std::size_t v) { segments[v] = segmentAt(shape, surface.positions[v]); });
     for (const uint v : atlas.vertexOf) {
         source.positions.push_back(surface.positions[v]);
         source.normals.push_back(surface.normals[v]);
