@@ -1,0 +1,32 @@
+#!/bin/bash
+# make.sh [PROGRAM] [MESHES] -- makes the pictures of the README. MESHES is a folder with
+# stanford-bunny.obj and Fox.glb; without them their pictures stay as they are.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+program=$(realpath "${1:-$here/../../build/release/pelage}")
+meshes=${2:-$here/../../../shared/meshes}
+cd "$here"
+
+picture() {
+    "$program" render "${@:2}" --size 1000x750 --samples 64 --repeat 1 -o "$1"
+}
+picture animal.png --animal 100000 --yaw 40 --pitch 12
+picture close-up.png --animal 100000 --yaw 70 --pitch 15 --distance 0.9
+if [ -f "$meshes/stanford-bunny.obj" ]; then
+    picture bunny.png --preset rabbit --yaw 15 --pitch 10 -- "$meshes/stanford-bunny.obj"
+fi
+if [ -f "$meshes/Fox.glb" ]; then
+    picture fox.png --yaw 50 --pitch 10 -- "$meshes/Fox.glb"
+fi
+
+# The real window, on a display of its own.
+export XDG_STATE_HOME=$(mktemp -d) XDG_CONFIG_HOME=$(mktemp -d)
+trap 'rm -rf "$XDG_STATE_HOME" "$XDG_CONFIG_HOME"' EXIT
+xvfb-run -a -s "-screen 0 1280x720x24" bash -c '
+    "$1" &
+    editor=$!
+    sleep "${SECONDS_TO_SETTLE:-30}"
+    import -window root window.png
+    kill "$editor"
+    wait "$editor" || true
+' _ "$program"
