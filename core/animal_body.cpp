@@ -65,7 +65,7 @@ TailPoint tailPoint(float t) {
     const vec3 place = s * s * s * kControl[0] + 3.0f * s * s * t * kControl[1] +
                        3.0f * s * t * t * kControl[2] + t * t * t * kControl[3];
     // A thin root, a full middle and a pointed tip.
-    const float full = 0.028f + 0.110f * t * (1.0f - t) * (0.4f + t);
+    const float full = 0.033f + 0.120f * t * (1.0f - t) * (0.4f + t);
     return {place, full * (1.0f - 0.50f * t * t * t)};
 }
 

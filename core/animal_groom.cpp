@@ -63,12 +63,12 @@ Fur animalFur() {
     fur.share = 0.45f;
     fur.gravity = 0.35f;
     fur.over.stiffness = 0.55f;
-    fur.over.directionWeight = 0.72f;
-    fur.over.endRandomness = 0.16f;
+    fur.over.directionWeight = 0.66f;
+    fur.over.endRandomness = 0.18f;
     fur.over.normalRandomness = 0.35f;
     fur.over.ambient = vec3(0.75f);
     fur.over.diffuse = vec3(0.85f);
-    fur.over.specular = vec3(0.10f, 0.09f, 0.08f);
+    fur.over.specular = vec3(0.07f, 0.065f, 0.06f);
     fur.over.shininess = 20.0f;
     fur.over.rootColor = vec3(0.45f, 0.42f, 0.40f);
     fur.over.tipColor = vec3(1.0f);

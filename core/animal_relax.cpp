@@ -52,6 +52,24 @@ vec3 middleOfRing(const Half& half, const Rings& rings, std::size_t v) {
     return sum / count;
 }
 
+// Where the mesh is too coarse for a detail of the solid, the solid's normal there says nothing
+// about the mesh: the normal of its faces takes its place.
+void mendNormals(Half& half) {
+    std::vector<vec3> sums(half.positions.size(), vec3(0.0f));
+    for (const uvec3& t : half.triangles) {
+        const vec3 a = half.positions[t.x];
+        const vec3 face = glm::cross(half.positions[t.y] - a, half.positions[t.z] - a);
+        for (int i = 0; i < 3; ++i) sums[t[i]] += face;
+    }
+    for (std::size_t v = 0; v < sums.size(); ++v) {
+        if (half.onWall[v]) sums[v].x = 0.0f;
+        const float size = std::sqrt(glm::dot(sums[v], sums[v]));
+        if (size > 1e-20f && glm::dot(sums[v], half.normals[v]) < 0.6f * size) {
+            half.normals[v] = sums[v] / size;
+        }
+    }
+}
+
 }  // namespace
 
 void relax(const Shape& shape, Half& half, float cell) {
@@ -93,6 +111,7 @@ void relax(const Shape& shape, Half& half, float cell) {
 }
 
 Surface mirrored(Half half, float cell) {
+    mendNormals(half);
     Surface surface;
     surface.cell = cell;
     surface.positions = half.positions;
