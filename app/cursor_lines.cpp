@@ -70,16 +70,21 @@ void addCursor(App& app, std::vector<OverlayLine>& lines) {
                             : heldBrush(app.session, viewport.shift, viewport.control);
     const SkinQuery& query = *app.workspace.query;
     const vec4 outer = ringColor(brush);
-    const vec4 inner{outer.x, outer.y, outer.z, 0.25f + 0.5f * brush.strength};
+    const vec4 inner{outer.x, outer.y, outer.z, 0.4f + 0.5f * brush.strength};
     const float half = halfPoint(brush.falloff) * brush.radius;
     const SkinHit& hit = *viewport.hit;
-    addRing(query, {hit.position, hit.normal, brush.radius, outer}, lines);
+    // Two units wide, with a dark edge so that it is seen on light fur.
+    const float unit = worldPerUnit(app.session.camera, viewport, hit.distance);
+    const vec4 edge{0.0f, 0.0f, 0.0f, 0.4f};
+    addRing(query, {hit.position, hit.normal, brush.radius + 1.6f * unit, edge}, lines);
+    addRing(query, {hit.position, hit.normal, brush.radius + 0.5f * unit, outer}, lines);
+    addRing(query, {hit.position, hit.normal, brush.radius - 0.5f * unit, outer}, lines);
     if (brush.falloff != Falloff::constant)
         addRing(query, {hit.position, hit.normal, half, inner}, lines);
     lines.push_back({hit.position, hit.position + 0.35f * brush.radius * hit.normal, inner});
     if (!brush.mirrorX) return;
     const vec3 mirror{-1.0f, 1.0f, 1.0f};
-    const vec4 faint{outer.x, outer.y, outer.z, 0.55f};
+    const vec4 faint{outer.x, outer.y, outer.z, 0.7f};
     addRing(query, {mirror * hit.position, mirror * hit.normal, brush.radius, faint}, lines);
 }
 

@@ -166,7 +166,7 @@ void browse(FileDialog& dialog, const std::string& folder, const std::string& na
 }
 
 FileChoice drawFileDialog(Ui ui, FileDialog& dialog, std::span<const std::string> recent,
-                          const std::function<void()>& extras) {
+                          bool enter, const std::function<void()>& extras) {
     FileChoice choice = FileChoice::open;
     const Theme& theme = ui.theme;
     ImGui::PushFont(theme.title);
@@ -191,9 +191,9 @@ FileChoice drawFileDialog(Ui ui, FileDialog& dialog, std::span<const std::string
     ImGui::SetNextItemWidth(-1);
     if (dialog.fresh) ImGui::SetKeyboardFocusHere();
     dialog.fresh = false;
-    const bool entered = ImGui::InputTextWithHint(
+    ImGui::InputTextWithHint(
         "##name", dialog.saving ? "File name or path" : "Type a path, or choose a file above",
-        &dialog.name, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+        &dialog.name, ImGuiInputTextFlags_AutoSelectAll);
     if (ImGui::IsItemEdited()) dialog.replaceAsked = false;
     if (extras) extras();
     ImGui::PushStyleColor(ImGuiCol_Text, dialog.replaceAsked ? color::kAccent : color::kBad);
@@ -205,7 +205,7 @@ FileChoice drawFileDialog(Ui ui, FileDialog& dialog, std::span<const std::string
     if (plainButton(ui, "Cancel", width)) choice = FileChoice::cancelled;
     ImGui::SameLine();
     const char* label = dialog.replaceAsked ? "Replace" : dialog.accept.c_str();
-    if (primaryButton(ui, label, width) || entered) choice = accept(dialog);
+    if (primaryButton(ui, label, width) || enter) choice = accept(dialog);
     return choice;
 }
 

@@ -32,9 +32,9 @@ struct FileDialog {
 void browse(FileDialog& dialog, const std::string& folder, const std::string& name);
 
 enum class FileChoice { open, accepted, cancelled };
-// Draws the dialog; when accepted `dialog.name` is the whole path. `extras` draws what else the
-// purpose needs above the buttons.
+// Draws the dialog; when accepted `dialog.name` is the whole path. `enter` is true when that key
+// was pressed; `extras` draws what else the purpose needs above the buttons.
 FileChoice drawFileDialog(Ui ui, FileDialog& dialog, std::span<const std::string> recent,
-                          const std::function<void()>& extras = {});
+                          bool enter, const std::function<void()>& extras = {});
 
 }  // namespace pelage

@@ -86,8 +86,9 @@ void drawPicture(App& app, Renderer& renderer, FrameKeys& keys, double now, bool
     view.samples = moving ? 1 : options.samples;
     view.background = {0.040f, 0.043f, 0.050f};
     view.lines = viewport.lines;
-    // While the hand is on a panel, widgets answer first and the picture goes on afterwards.
-    const bool busyElsewhere = events && io.WantCaptureMouse && !moving;
+    // While the hand is on a panel, widgets answer first and the picture goes on afterwards. The
+    // keys of a text field would be lost in slow frames.
+    const bool busyElsewhere = !moving && ((events && io.WantCaptureMouse) || io.WantTextInput);
     if (!busyElsewhere) app.stats = renderer.draw(app.document(), view);
 
     const ImVec2 corner{viewport.corner.x, viewport.corner.y};
@@ -146,12 +147,12 @@ void drawFrame(App& app, Renderer& renderer, FrameKeys& keys, double now, bool e
         drawBrushPanel(app, layout);
         drawSidePanel(app, layout);
     }
-    drawStatus(app, layout);
     usePointer(app, !asking(app) && !ImGui::GetIO().WantCaptureMouse);
     useKeys(app, keys);
     if (app.isOpen() && !ImGui::IsAnyItemActive()) commitPending(app);
     updateLines(app);
     if (app.isOpen()) drawPicture(app, renderer, keys, now, events);
+    drawStatus(app, layout);
     drawHint(app);
     drawHelp(app);
     drawReport(app);

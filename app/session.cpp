@@ -14,14 +14,14 @@ LengthUnit unitFor(float size) {
 }
 
 std::string lengthText(float metres) {
-    const LengthUnit unit = unitFor(metres * 4.0f);
+    const LengthUnit unit = unitFor(metres * 20.0f);
     char text[32];
     std::snprintf(text, sizeof text, "%.3g %s", static_cast<double>(metres * unit.perMetre),
                   unit.name);
     return text;
 }
 
-float modelRadius(const Skin& skin) { return 0.54f * skin.size(); }
+float modelRadius(const Skin& skin) { return 0.46f * skin.size(); }
 
 void frameAll(Session& session, const Skin& skin, float aspect) {
     const bool orthographic = session.camera.orthographic;
@@ -62,7 +62,6 @@ void meetSkin(Session& session, const Skin& skin, float aspect) {
         if (info.tool == Tool::mask) brush.value = 1.0f;
     }
     setRadius(session, skin, 0.05f * skin.size());
-    session.fieldRadius = modelRadius(skin);
     session.camera = Camera{};
     session.camera.yaw = 0.9f;  // from the animal's left shoulder, a little from above
     session.camera.pitch = 0.25f;

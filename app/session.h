@@ -30,7 +30,6 @@ std::string lengthText(float metres);
 
 struct Session {
     Camera camera;
-    float fieldRadius = 1.0f;  // m, of the ball that holds the model and its hair
     Tool tool = Tool::comb;
     std::array<Brush, 5> brushes;  // by Tool; radius, mirrorX and facingOnly are the same in all
     vec3 floodDirection{0.0f, 0.0f, -1.0f};  // world; of combing everything at once
@@ -40,7 +39,7 @@ struct Session {
     const Brush& brush() const { return brushes[static_cast<std::size_t>(tool)]; }
 };
 
-// Radius of the ball around skin.center() that holds the skin and the longest likely hair, m.
+// Radius of the ball around skin.center() to frame: all but the corners of the bounds, m.
 float modelRadius(const Skin& skin);
 
 // Brushes and camera for an animal that was just opened; view options and brush habits stay.

@@ -204,10 +204,11 @@ std::optional<vec3> parameterRow(Ui ui, const Parameter& row, vec3 value, vec3 f
         changed = seedRow(ui, row, value);
     } else {
         const bool count = row.kind == ParameterKind::count;
+        const std::string whole = grouped(static_cast<std::size_t>(std::max(value.x, 0.0f)));
         const Number number{.least = row.least,
                             .greatest = row.greatest,
                             .fallback = fallback.x,
-                            .format = count                 ? "%.0f"
+                            .format = count                 ? whole.c_str()
                                       : row.greatest > 4.0f ? "%.1f"
                                                             : "%.3f",
                             .logarithmic = row.greatest >= 256.0f,
@@ -234,7 +235,7 @@ std::optional<int> choiceRow(Ui ui, const char* id, std::span<const char* const>
     const float count = static_cast<float>(labels.size());
     const float width = (ImGui::GetContentRegionAvail().x - gap * (count - 1.0f)) / count;
     ImGui::PushID(id);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, ImGui::GetStyle().ItemSpacing.y});
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
     for (int i = 0; i < static_cast<int>(labels.size()); ++i) {
         if (i > 0) ImGui::SameLine();

@@ -155,7 +155,6 @@ public:
         }
         glfwMakeContextCurrent(handle);
         glfwSwapInterval(1);
-        glfwSetWindowSizeLimits(handle, 800, 500, GLFW_DONT_CARE, GLFW_DONT_CARE);
     }
     ~Glfw() {
         glfwDestroyWindow(handle);
@@ -186,6 +185,13 @@ public:
     Widgets& operator=(const Widgets&) = delete;
 };
 
+// The scale that the user asks for, in the environment or by the menu; 0 = that of the display.
+float wishedScale(const App& app) {
+    const char* wish = std::getenv("PELAGE_SCALE");
+    const float scale = wish ? static_cast<float>(std::atof(wish)) : 0.0f;
+    return scale > 0.0f ? scale : app.settings.scale;
+}
+
 // Makes fonts and style anew when the display, the settings or PELAGE_SCALE ask for another size.
 void followScale(Window& window) {
     int width = 0, pixels = 0, height = 0;
@@ -197,14 +203,14 @@ void followScale(Window& window) {
     glfwGetWindowContentScale(window.handle, &content, &unused);
     App& app = window.app;
     float scale = content / ratio;
-    if (app.settings.scale > 0.0f) scale = app.settings.scale;
-    if (const char* wish = std::getenv("PELAGE_SCALE"); wish && std::atof(wish) > 0.0)
-        scale = static_cast<float>(std::atof(wish));
+    if (const float wished = wishedScale(app); wished > 0.0f) scale = wished;
     scale = std::clamp(scale, 0.5f, 4.0f);
     const bool same = app.theme.regular && scale == app.theme.scale && ratio == app.viewport.pixels;
     if (same) return;
     app.viewport.pixels = ratio;
     app.theme = applyTheme(scale, ratio);
+    glfwSetWindowSizeLimits(window.handle, static_cast<int>(940 * scale),
+                            static_cast<int>(540 * scale), GLFW_DONT_CARE, GLFW_DONT_CARE);
     ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the next frame makes them, with the new fonts
 }
 
@@ -214,7 +220,7 @@ void awaitEvents(Window& window) {
     const double now = glfwGetTime();
     double wait = 1e9;
     if (window.redraws > 0 || window.closing) wait = 0.0;
-    if (app.isOpen() && !app.stats.finished) wait = 0.0;
+    if (app.isOpen() && !app.stats.finished && !ImGui::GetIO().WantTextInput) wait = 0.0;
     if (window.keys.moving)
         wait = std::min(wait, std::max(window.keys.changed + kRest - now, 0.001));
     if (app.work.running()) wait = std::min(wait, 0.1);
@@ -306,6 +312,10 @@ int runEditor(const EditorOptions& options) {
     window.renderer = std::make_unique<Renderer>();
     app.device = window.renderer->device();
     begin(app);
+    // A wished scale is for the window as well; the display's own is GLFW's care.
+    if (const float wished = wishedScale(app); wished > 0.0f)
+        glfwSetWindowSize(glfw.handle, static_cast<int>(static_cast<float>(options.width) * wished),
+                          static_cast<int>(static_cast<float>(options.height) * wished));
     if (options.file.empty())
         openAnimal(app);
     else

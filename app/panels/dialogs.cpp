@@ -112,7 +112,8 @@ void drawFiles(App& app) {
     if (!beginModal(app, "files", 720)) return;
     std::function<void()> extras;
     if (purpose == Dialog::exportAs) extras = [&app] { drawExportChoices(app); };
-    FileChoice choice = drawFileDialog(uiOf(app), app.dialogs.files, app.settings.recent, extras);
+    FileChoice choice = drawFileDialog(uiOf(app), app.dialogs.files, app.settings.recent,
+                                       app.dialogs.enter, extras);
     if (app.dialogs.escape) choice = FileChoice::cancelled;
     if (choice != FileChoice::open) {
         const auto then = std::exchange(app.dialogs.then, nullptr);

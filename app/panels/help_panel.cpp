@@ -35,7 +35,7 @@ void helpRow(const std::string& keys, const char* text) {
 
 bool beginKeys(App& app, const char* id) {
     if (!ImGui::BeginTable(id, 2)) return false;
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, app.theme.px(128));
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, app.theme.px(104));
     ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
     return true;
 }
@@ -67,23 +67,20 @@ bool beginSheet(App& app, const char* title, bool* open, ImVec2 size) {
 
 void drawHelp(App& app) {
     if (!app.dialogs.help) return;
-    if (beginSheet(app, "Keys and mouse", &app.dialogs.help, {820, 570}) &&
-        ImGui::BeginTable("columns", 2)) {
+    if (beginSheet(app, "Keys and mouse", &app.dialogs.help, {1060, 590}) &&
+        ImGui::BeginTable("columns", 3, ImGuiTableFlags_SizingStretchSame)) {
         ImGui::TableNextColumn();
         caption(uiOf(app), "Mouse");
-        if (ImGui::BeginTable("mouse", 1)) {
-            for (const MouseHelp& row : kMouse) {
-                ImGui::TableNextColumn();
-                ImGui::TextUnformatted(row.effect);
-                ImGui::PushFont(app.theme.small);
-                ImGui::TextDisabled("%s", row.hand);
-                ImGui::PopFont();
-            }
-            ImGui::EndTable();
+        for (const MouseHelp& row : kMouse) {
+            ImGui::TextUnformatted(row.effect);
+            ImGui::PushFont(app.theme.small);
+            ImGui::TextDisabled("%s", row.hand);
+            ImGui::PopFont();
         }
         ImGui::TableNextColumn();
-        for (const char* menu : {"Brush", "View", "Edit", "File", "Help"})
-            drawActionKeys(app, menu);
+        for (const char* menu : {"Brush", "Edit"}) drawActionKeys(app, menu);
+        ImGui::TableNextColumn();
+        for (const char* menu : {"View", "File", "Help"}) drawActionKeys(app, menu);
         ImGui::EndTable();
     }
     ImGui::End();

@@ -1,0 +1,248 @@
+#!/usr/bin/env python3
+# gui_test.py -- a person at the editor: a real window under Xvfb, driven by xdotool.
+#
+# gui_test.py [-v] PELAGE MESHES OUT: the program, the folder of shared meshes (the built-in animal
+# is used without it), and a folder for screenshots. What the editor did is read from its trace
+# (PELAGE_TRACE=1); what it wrote is compared with the same lines run by the command line.
+import json
+import os
+import queue
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+PELAGE, MESHES, OUT = sys.argv[-3:]
+PATIENCE = 90  # s until a trace line must have come; software OpenGL on a busy machine is slow
+
+
+class Display:
+    """An X server of our own, on a free display number."""
+
+    def __init__(self, size="1280x720"):
+        read, write = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", size + "x24", "-nolisten", "tcp"],
+            pass_fds=[write], stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as number:
+            self.name = ":" + number.readline().strip()
+
+    def close(self):
+        self.server.terminate()
+        self.server.wait()
+
+
+class Editor:
+    """One run of the program; `folder` holds its settings and its journal."""
+
+    def __init__(self, display, folder, *arguments):
+        self.folder = folder
+        self.environment = dict(
+            os.environ, DISPLAY=display.name, PELAGE_TRACE="1", HOME=folder,
+            XDG_STATE_HOME=os.path.join(folder, "state"),
+            XDG_CONFIG_HOME=os.path.join(folder, "config"))
+        for unwanted in ("WAYLAND_DISPLAY", "PELAGE_SCALE"):
+            self.environment.pop(unwanted, None)
+        self.complaints = tempfile.TemporaryFile(mode="w+")
+        self.process = subprocess.Popen(
+            [PELAGE, *arguments], env=self.environment, text=True, stdout=subprocess.PIPE,
+            stderr=self.complaints, cwd=folder)
+        self.lines = queue.Queue()
+        threading.Thread(target=self._read, daemon=True).start()
+
+    def _read(self):
+        for line in self.process.stdout:
+            self.lines.put(line.strip())
+        self.lines.put(None)
+
+    def expect(self, start):
+        """The rest of the next trace line that begins like this; others are skipped."""
+        wanted, seen, end = "trace: " + start, [], time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            try:
+                line = self.lines.get(timeout=1)
+            except queue.Empty:
+                continue
+            if line is None:
+                break
+            seen.append(line)
+            if line.startswith(wanted):
+                return line[len(wanted):].strip()
+        raise AssertionError(f"no '{wanted}' after {seen}; stderr: {self.stderr()}")
+
+    def ready(self):
+        self.expect("opened")
+        x, y, width, height = map(float, self.expect("ready, viewport").split())
+        self.middle = (x + width / 2, y + height / 2)
+        self.reach = min(width, height) / 10
+
+    def do(self, *command):
+        subprocess.run(["xdotool", *map(str, command)], env=self.environment, check=True)
+
+    def key(self, name):
+        self.do("key", name)
+
+    def drag(self, release=True):
+        x, y = self.middle
+        self.do("mousemove", int(x), int(y), "sleep", "0.2", "mousedown", 1)
+        for step in range(1, 6):
+            self.do("mousemove", int(x + step * self.reach / 5), int(y), "sleep", "0.05")
+        if release:
+            self.do("mouseup", 1)
+
+    def save(self, path):
+        self.key("ctrl+s")
+        time.sleep(1)  # the name field takes the keyboard when the dialog is there
+        self.key("ctrl+a")
+        self.do("type", "--delay", "30", path)
+        time.sleep(1)
+        self.key("Return")
+        return self.expect("saved")
+
+    def journal(self):
+        folder = os.path.join(self.folder, "state", "pelage")
+        names = [name for name in os.listdir(folder) if name.endswith(".journal")]
+        assert len(names) == 1, names
+        with open(os.path.join(folder, names[0])) as file:
+            return file.read()
+
+    def journals(self):
+        return os.listdir(os.path.join(self.folder, "state", "pelage"))
+
+    def stderr(self):
+        self.complaints.seek(0)
+        return self.complaints.read()
+
+    def close(self):
+        self.key("ctrl+q")
+        return self.process.wait(timeout=PATIENCE)
+
+    def end(self):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.wait()
+        self.process.stdout.close()
+        self.complaints.close()
+
+
+class EditorInAWindow(unittest.TestCase):
+    def setUp(self):
+        self.display = Display()
+        self.addCleanup(self.display.close)
+        self.home = tempfile.TemporaryDirectory()
+        self.addCleanup(self.home.cleanup)
+        self.mesh = os.path.join(MESHES, "stanford-bunny.obj")
+        if not os.path.exists(self.mesh):
+            self.mesh = self.path("animal.glb")
+            subprocess.run([PELAGE, "animal", "-o", self.mesh], check=True,
+                           stdout=subprocess.DEVNULL)
+
+    def path(self, name):
+        return os.path.join(self.home.name, name)
+
+    def start(self, *arguments):
+        editor = Editor(self.display, self.home.name, *arguments)
+        self.addCleanup(editor.end)
+        return editor
+
+    def info(self, path):
+        return json.loads(subprocess.run([PELAGE, "info", path, "--json"], check=True,
+                                         capture_output=True, text=True).stdout)
+
+    def assertReplayGives(self, lines, saved):
+        """The command line makes the same file of the journal, byte for byte."""
+        first, rest = lines.split("\n", 1)
+        with open(self.path("lines.txt"), "w") as script:
+            script.write(rest)
+        subprocess.run([PELAGE, "export", first.removeprefix("open "), "-o", self.path("again.glb"),
+                        "--script", self.path("lines.txt")], check=True, stdout=subprocess.DEVNULL)
+        with open(saved, "rb") as a, open(self.path("again.glb"), "rb") as b:
+            self.assertTrue(a.read() == b.read(), f"replaying differs from what was saved:\n{rest}")
+
+    def shoot(self, name):
+        subprocess.run(["import", "-window", "root", os.path.join(OUT, name)],
+                       env=dict(os.environ, DISPLAY=self.display.name), check=True)
+
+    def test_a_painted_stroke_is_undone_redone_saved_and_read_again(self):
+        editor = self.start(self.mesh)
+        editor.ready()
+        editor.key("l")
+        editor.drag()
+        editor.expect("commit Length")
+        editor.key("ctrl+z")
+        editor.expect("undo")
+        editor.key("ctrl+shift+z")
+        editor.expect("redo")
+        lines = editor.journal()
+        self.assertIn("undo\nredo\n", lines)
+        saved = editor.save(self.path("painted.glb"))
+        self.assertEqual(saved, self.path("painted.glb"))
+        self.shoot("painted.png")
+        self.assertEqual(editor.close(), 0)
+        self.assertEqual(editor.journals(), [], "a good end leaves no journal")
+        self.assertReplayGives(lines, saved)
+
+        before, after = self.info(self.mesh), self.info(saved)
+        self.assertTrue(after["hasFur"])
+        self.assertEqual(before["triangles"], after["triangles"])
+        again = self.start(saved)
+        again.ready()
+        self.assertEqual(again.close(), 0)
+
+    def test_killing_it_while_painting_loses_no_committed_step(self):
+        editor = self.start(self.mesh)
+        editor.ready()
+        editor.drag()
+        editor.expect("commit Comb")
+        lines = editor.journal()
+        editor.drag(release=False)
+        editor.process.send_signal(signal.SIGKILL)
+        editor.process.wait()
+        editor.do("mouseup", 1)
+
+        again = self.start(self.mesh)
+        self.assertEqual(again.expect("lost"), "1 " + self.mesh)
+        again.ready()
+        self.shoot("lost.png")
+        again.key("Return")
+        self.assertEqual(again.expect("restored"), "1")
+        saved = again.save(self.path("restored.glb"))
+        self.assertEqual(again.close(), 0)
+        self.assertReplayGives(lines, saved)
+
+    def test_unsaved_work_is_asked_about(self):
+        editor = self.start()
+        editor.ready()
+        editor.drag()
+        editor.expect("commit Comb")
+        editor.key("ctrl+q")
+        editor.expect("asked unsaved")
+        time.sleep(1)
+        editor.key("Escape")
+        time.sleep(1)
+        self.assertIsNone(editor.process.poll(), "Esc goes on editing")
+        editor.key("ctrl+z")
+        editor.expect("undo")
+        self.assertEqual(editor.close(), 0, "what was taken back needs no saving")
+
+    def test_a_bad_file_is_one_clear_line(self):
+        bad = self.path("bad.glb")
+        with open(bad, "wb") as file:
+            file.write(b"glTF\x02\x00\x00\x00\xff\xff\xff\x7f")
+        editor = self.start(bad)
+        time.sleep(4)
+        self.assertIsNone(editor.process.poll(), "the editor stays open")
+        self.shoot("bad.png")
+        editor.key("Return")
+        time.sleep(1)
+        self.assertEqual(editor.close(), 1)
+        complaints = [line for line in editor.stderr().splitlines() if "bad.glb" in line]
+        self.assertEqual(len(complaints), 1, editor.stderr())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:-3])
