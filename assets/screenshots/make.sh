@@ -8,7 +8,7 @@ meshes=${2:-$here/../../../shared/meshes}
 cd "$here"
 
 picture() {
-    "$program" render "${@:2}" --size 1000x750 --samples 64 --repeat 1 -o "$1"
+    "$program" render --size 1000x750 --samples 64 --repeat 1 -o "$1" "${@:2}"
 }
 picture animal.png --animal 100000 --yaw 40 --pitch 12
 picture close-up.png --animal 100000 --yaw 70 --pitch 15 --distance 0.9
