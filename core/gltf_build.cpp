@@ -62,7 +62,7 @@ std::vector<int> addTextures(GlbDraft& draft, const Source& source) {
             textures.push_back(-1);
             continue;
         }
-        const std::size_t view = appendView(draft, image.bytes, 0, "picture");
+        const std::size_t view = appendView(draft, plainPicture(image.bytes), 0, "picture");
         OrderedJson entry;
         if (!image.name.empty()) entry["name"] = image.name;
         entry["bufferView"] = view;

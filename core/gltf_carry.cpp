@@ -2,7 +2,6 @@
 #include "gltf_carry.h"
 
 #include <stdexcept>
-#include <string_view>
 
 namespace pelage {
 namespace {
@@ -64,16 +63,6 @@ void moveView(OrderedJson& view, const std::vector<std::size_t>& start) {
 }
 
 }  // namespace
-
-std::string pictureType(std::span<const std::byte> bytes) {
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (text.starts_with("\x89PNG\r\n\x1A\n")) return "image/png";
-    if (text.starts_with("\xFF\xD8\xFF")) return "image/jpeg";
-    if (text.starts_with("RIFF") && text.size() >= 12 && text.substr(8, 4) == "WEBP")
-        return "image/webp";
-    if (text.starts_with("\xABKTX 20\xBB\r\n\x1A\n")) return "image/ktx2";
-    return "";
-}
 
 GlbDraft carriedDraft(const CarriedGltf& carried) {
     GlbDraft draft{parseCarried(carried.json), {}};

@@ -24,4 +24,9 @@ GlbDraft builtDraft(const Source& source);
 // "image/png", "image/jpeg", "image/webp" or "image/ktx2" by the first bytes, else "".
 std::string pictureType(std::span<const std::byte> bytes);
 
+// A PNG without the chunks that say how to show its colors and the shape of its pixels: a glTF
+// reader must ignore them (glTF 2.0, section 3.8.2), and validators warn of them. Other bytes as
+// they are.
+std::vector<std::byte> plainPicture(std::span<const std::byte> bytes);
+
 }  // namespace pelage

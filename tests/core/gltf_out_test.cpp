@@ -458,5 +458,22 @@ TEST(PictureType, IsDecidedByTheFirstBytes) {
     EXPECT_EQ(of(""), "");
 }
 
+TEST(PlainPicture, HasThePixelsAndNoWordOfTheirColors) {
+    const auto chunk = [](const std::string& type, const std::string& data) {
+        return std::string(3, '\0') + static_cast<char>(data.size()) + type + data + "sum!";
+    };
+    const std::string start = "\x89PNG\r\n\x1A\n" + chunk("IHDR", "0123456789abc");
+    const std::string end = chunk("IDAT", "pixels") + chunk("IEND", "");
+    const auto plain = [](const std::string& text) {
+        const auto bytes = plainPicture(std::as_bytes(std::span(text)));
+        return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    };
+    EXPECT_EQ(plain(start + chunk("iCCP", "profile") + chunk("pHYs", "") + end), start + end);
+    EXPECT_EQ(plain(start + end), start + end);
+    const std::string cut = start + chunk("gAMA", "1234") + "IDAT";
+    EXPECT_EQ(plain(cut), cut);  // not understood to the end, so not touched
+    EXPECT_EQ(plain("\xFF\xD8\xFF jpeg"), "\xFF\xD8\xFF jpeg");
+}
+
 }  // namespace
 }  // namespace pelage
