@@ -10,7 +10,8 @@ namespace pelage {
 namespace {
 
 constexpr int kRingSegments = 56;
-constexpr std::size_t kArrows = 4000;  // at most, over the entire skin
+constexpr std::size_t kArrows = 2400;  // at most, over the entire skin
+constexpr vec4 kArrowColor{0.62f, 0.93f, 1.0f, 0.95f};
 
 vec4 ringColor(const Brush& brush) {
     switch (brush.tool) {
@@ -74,7 +75,7 @@ void addCursor(App& app, std::vector<OverlayLine>& lines) {
     const float half = halfPoint(brush.falloff) * brush.radius;
     const SkinHit& hit = *viewport.hit;
     // Two units wide, with a dark edge so that it is seen on light fur.
-    const float unit = worldPerUnit(app.session.camera, viewport, hit.distance);
+    const float unit = app.theme.scale * worldPerUnit(app.session.camera, viewport, hit.distance);
     const vec4 edge{0.0f, 0.0f, 0.0f, 0.4f};
     addRing(query, {hit.position, hit.normal, brush.radius + 1.6f * unit, edge}, lines);
     addRing(query, {hit.position, hit.normal, brush.radius + 0.5f * unit, outer}, lines);
@@ -104,14 +105,19 @@ void addArrows(const App& app, std::vector<OverlayLine>& lines) {
         const float strength = glm::length(fur.direction);
         if (!(strength > 1e-4f)) continue;
         const vec3 step = reach * fur.direction;
-        const vec3 root = vertex.position + 0.2f * spacing * vertex.normal;
+        const vec3 root = vertex.position + 0.25f * spacing * vertex.normal;
         const vec3 tip = root + step;
-        const vec3 side = 0.3f * reach * strength *
-                          glm::normalize(glm::cross(fur.direction, vertex.normal) + vec3(1e-9f));
-        const vec4 color{0.5f + 0.5f * fur.direction / strength, 1.0f};
-        lines.push_back({root, tip, color});
-        lines.push_back({tip, tip - 0.35f * step + side, color});
-        lines.push_back({tip, tip - 0.35f * step - side, color});
+        const vec3 across =
+            glm::normalize(glm::cross(fur.direction, eye - vertex.position) + vec3(1e-9f));
+        const vec3 side = 0.22f * reach * strength * across;
+        const vec3 thick =
+            0.5f * app.theme.scale *
+            worldPerUnit(app.session.camera, app.viewport, glm::length(eye - vertex.position)) *
+            across;
+        lines.push_back({root + thick, tip + thick, kArrowColor});
+        lines.push_back({root - thick, tip - thick, kArrowColor});
+        lines.push_back({tip, tip - 0.35f * step + side, kArrowColor});
+        lines.push_back({tip, tip - 0.35f * step - side, kArrowColor});
     }
 }
 

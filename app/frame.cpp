@@ -125,6 +125,35 @@ void drawHint(App& app) {
     draw.AddText(at, ImGui::GetColorU32(ImGuiCol_Text), text);
 }
 
+// In an empty window: what to do first.
+void drawWelcome(App& app) {
+    const Viewport& viewport = app.viewport;
+    const float width = app.theme.px(340);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0, 0, 0, 0));
+    beginPanel("welcome",
+               {viewport.corner.x + 0.5f * (viewport.size.x - width),
+                viewport.corner.y + 0.4f * viewport.size.y},
+               {width, app.theme.px(150)}, ImGuiWindowFlags_NoScrollbar);
+    ImGui::PopStyleColor();
+    const auto centered = [&](const char* text) {
+        ImGui::SetCursorPosX(0.5f * (width - ImGui::CalcTextSize(text).x));
+        ImGui::TextUnformatted(text);
+    };
+    ImGui::PushFont(app.theme.title);
+    centered("Drop a mesh here");
+    ImGui::PopFont();
+    ImGui::PushStyleColor(ImGuiCol_Text, color::kDim);
+    centered(".glb   .gltf   .obj   .ply   .off   .stl");
+    ImGui::PopStyleColor();
+    ImGui::Dummy({0, app.theme.px(6)});
+    const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+    const Ui ui{app.theme, app.tips};
+    if (primaryButton(ui, "Open...", half)) perform(app, actionNamed("file.open"));
+    ImGui::SameLine();
+    if (plainButton(ui, "Built-in animal", half)) perform(app, actionNamed("file.animal"));
+    ImGui::End();
+}
+
 }  // namespace
 
 void beginPanel(const char* name, ImVec2 corner, ImVec2 size, ImGuiWindowFlags extra) {
@@ -151,7 +180,10 @@ void drawFrame(App& app, Renderer& renderer, FrameKeys& keys, double now, bool e
     useKeys(app, keys);
     if (app.isOpen() && !ImGui::IsAnyItemActive()) commitPending(app);
     updateLines(app);
-    if (app.isOpen()) drawPicture(app, renderer, keys, now, events);
+    if (app.isOpen())
+        drawPicture(app, renderer, keys, now, events);
+    else if (!asking(app))
+        drawWelcome(app);
     drawStatus(app, layout);
     drawHint(app);
     drawHelp(app);

@@ -94,13 +94,17 @@ class Editor:
         if release:
             self.do("mouseup", 1)
 
-    def save(self, path):
-        self.key("ctrl+s")
+    def answer(self, key, path):
+        """Types a path into the dialog that the key opens."""
+        self.key(key)
         time.sleep(1)  # the name field takes the keyboard when the dialog is there
         self.key("ctrl+a")
         self.do("type", "--delay", "30", path)
         time.sleep(1)
         self.key("Return")
+
+    def save(self, path):
+        self.answer("ctrl+s", path)
         return self.expect("saved")
 
     def journal(self):
@@ -182,6 +186,8 @@ class EditorInAWindow(unittest.TestCase):
         saved = editor.save(self.path("painted.glb"))
         self.assertEqual(saved, self.path("painted.glb"))
         self.shoot("painted.png")
+        editor.answer("ctrl+e", self.path("exported.glb"))
+        self.assertIn("equal to the bit", editor.expect("exported"))
         self.assertEqual(editor.close(), 0)
         self.assertEqual(editor.journals(), [], "a good end leaves no journal")
         self.assertReplayGives(lines, saved)
@@ -213,6 +219,48 @@ class EditorInAWindow(unittest.TestCase):
         saved = again.save(self.path("restored.glb"))
         self.assertEqual(again.close(), 0)
         self.assertReplayGives(lines, saved)
+
+    def test_taking_back_what_is_saved_is_kept_as_well(self):
+        editor = self.start(self.mesh)
+        editor.ready()
+        editor.drag()
+        editor.expect("commit Comb")
+        editor.save(self.path("saved.glb"))
+        editor.key("ctrl+z")
+        editor.expect("undo")
+        time.sleep(1)
+        editor.process.send_signal(signal.SIGKILL)
+        editor.process.wait()
+
+        again = self.start(self.mesh)
+        self.assertTrue(again.expect("lost").startswith("1 "))
+        again.ready()
+        again.key("Return")
+        again.expect("restored")
+        saved = again.save(self.path("restored.glb"))
+        self.assertEqual(again.close(), 0)
+        self.assertEqual(again.journals(), [])
+        subprocess.run([PELAGE, "export", self.mesh, "-o", self.path("untouched.glb")], check=True,
+                       stdout=subprocess.DEVNULL)
+        self.assertEqual(self.info(saved)["fields"], self.info(self.path("untouched.glb"))["fields"])
+        self.assertNotEqual(self.info(saved)["fields"],
+                            self.info(self.path("saved.glb"))["fields"])
+
+    def test_dragging_a_slider_is_one_step(self):
+        editor = self.start(self.mesh)
+        editor.ready()
+        editor.do("mousemove", 1130, 199, "sleep", "0.3", "mousedown", 1)
+        for x in range(1134, 1170, 4):
+            editor.do("mousemove", x, 199, "sleep", "0.1")
+        editor.do("mouseup", 1)
+        editor.expect("commit Share of overcoat")
+        time.sleep(1)
+        lines = editor.journal().splitlines()
+        self.assertEqual(len(lines), 2, lines)
+        self.assertTrue(lines[1].startswith("set fur.share "), lines)
+        editor.key("ctrl+z")
+        editor.expect("undo Share of overcoat")
+        self.assertEqual(editor.close(), 0)
 
     def test_unsaved_work_is_asked_about(self):
         editor = self.start()
