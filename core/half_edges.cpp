@@ -44,19 +44,22 @@ struct EdgeUse {
     std::size_t forward = 0, backward = 0;  // triangles that run from first to second, and back
 };
 
-void use(std::map<Edge, EdgeUse>& edges, uint from, uint to) {
+// A triangle that names a vertex twice joins its vertices but bounds nothing: its edges are listed
+// and not counted.
+void use(std::map<Edge, EdgeUse>& edges, uint from, uint to, bool counts) {
     if (from == to) return;
     EdgeUse& edge = edges[std::minmax(from, to)];
-    ++(from < to ? edge.forward : edge.backward);
+    if (counts) ++(from < to ? edge.forward : edge.backward);
 }
 
 // How the triangles outside the half-edge mesh and those inside it share the edges of the former.
 std::map<Edge, EdgeUse> usesOfOutsiders(const Mesh& mesh, std::span<const uvec3> outside) {
     std::map<Edge, EdgeUse> edges;
     for (const uvec3 t : outside) {
-        use(edges, t.x, t.y);
-        use(edges, t.y, t.z);
-        use(edges, t.z, t.x);
+        const bool counts = !repeatsCorner(t);
+        use(edges, t.x, t.y, counts);
+        use(edges, t.y, t.z, counts);
+        use(edges, t.z, t.x, counts);
     }
     for (auto& [edge, uses] : edges) {
         const auto h = mesh.find_halfedge(handle(edge.first), handle(edge.second));

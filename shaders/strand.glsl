@@ -147,8 +147,9 @@ Strand growStrand(Root root, SkinVertex a, SkinVertex b, SkinVertex c, FurVertex
     bool over = isOvercoat(root.id, fur.share);
     Coat coat = fur.under;
     if (over) coat = fur.over;
-    Strand s = bendStrand(position, n, painted, sanitizedLength(asked * coat.relativeLength), coat,
-                          root.id, fur.gravityDirection, fur.gravity);
+    float own = sanitizedLength(sanitizedLength(asked) * coat.relativeLength);
+    Strand s = bendStrand(position, n, painted, own, coat, root.id, fur.gravityDirection,
+                          fur.gravity);
     s.width = coat.width > 0.0f ? coat.width : autoWidth;
     s.coat = over ? 0u : 1u;
     s.keep = painted01 > 0.0f ? min(painted01, 1.0f) : 0.0f;
