@@ -12,6 +12,7 @@ namespace {
 constexpr int kRingSegments = 56;
 constexpr std::size_t kArrows = 2400;  // at most, over the entire skin
 constexpr vec4 kArrowColor{0.62f, 0.93f, 1.0f, 0.95f};
+constexpr vec4 kArrowEdge{0.02f, 0.10f, 0.16f, 0.9f};  // so that it is seen on white fur
 
 vec4 ringColor(const Brush& brush) {
     switch (brush.tool) {
@@ -115,7 +116,7 @@ void addArrows(const App& app, std::vector<OverlayLine>& lines) {
             worldPerUnit(app.session.camera, app.viewport, glm::length(eye - vertex.position)) *
             across;
         lines.push_back({root + thick, tip + thick, kArrowColor});
-        lines.push_back({root - thick, tip - thick, kArrowColor});
+        lines.push_back({root - thick, tip - thick, kArrowEdge});
         lines.push_back({tip, tip - 0.35f * step + side, kArrowColor});
         lines.push_back({tip, tip - 0.35f * step - side, kArrowColor});
     }

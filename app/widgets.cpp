@@ -36,7 +36,7 @@ std::optional<vec3> colorSwatch(Ui ui, const Parameter& row, vec3 value, vec3 fa
                            ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
                            {width, ImGui::GetFrameHeight()}))
         ImGui::OpenPopup("picker");
-    tip(ui, row.help);
+    tip(ui, row.help, "Right click for the default");
     if (resetClicked()) changed = fallback;
     if (ImGui::BeginPopup("picker")) {
         ImGui::TextUnformatted(row.label);
@@ -72,7 +72,8 @@ std::optional<vec3> lengthRow(Ui ui, const Parameter& row, vec3 value, vec3 fall
                         .greatest = std::min(row.greatest, 0.02f * size) * unit.perMetre,
                         .fallback = fallback.x * unit.perMetre,
                         .format = format,
-                        .help = row.help};
+                        .help = row.help,
+                        .unit = unit.name};
     const auto edited = numberRow(ui, row.label, value.x * unit.perMetre, number);
     if (!edited) return std::nullopt;
     return vec3(*edited / unit.perMetre, 0.0f, 0.0f);
@@ -86,7 +87,7 @@ void beginTips(Tips& tips) {
     tips.wakeAt = 0.0;
 }
 
-void tip(Ui ui, const char* text) {
+void tip(Ui ui, const char* text, const char* detail) {
     if (!*text || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     Tips& tips = ui.tips;
     const double now = ImGui::GetTime();
@@ -100,6 +101,11 @@ void tip(Ui ui, const char* text) {
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ui.theme.px(280));
     ImGui::TextUnformatted(text);
+    if (*detail) {
+        ImGui::PushStyleColor(ImGuiCol_Text, color::kDim);
+        ImGui::TextUnformatted(detail);
+        ImGui::PopStyleColor();
+    }
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
@@ -170,7 +176,9 @@ std::optional<float> numberBar(Ui ui, const char* id, float value, const Number&
                                         number.greatest, number.format, flags);
     ImGui::PopStyleColor(3);
     const bool reset = resetClicked();
-    tip(ui, number.help);
+    const std::string detail = std::string(number.unit) + (*number.unit ? "\n" : "") +
+                               "Double click to type, right click for the default";
+    tip(ui, number.help, detail.c_str());
     if (reset) return number.fallback;
     if (moved && edited != value) return edited;
     return std::nullopt;
@@ -196,7 +204,7 @@ std::optional<vec3> parameterRow(Ui ui, const Parameter& row, vec3 value, vec3 f
         float edited[3] = {value.x, value.y, value.z};
         if (ImGui::DragFloat3("##direction", edited, 0.01f, row.least, row.greatest, "%.2f"))
             changed = vec3(edited[0], edited[1], edited[2]);
-        tip(ui, row.help);
+        tip(ui, row.help, row.unit);
         if (resetClicked()) changed = fallback;
     } else if (row.unit == std::string_view("m")) {
         changed = lengthRow(ui, row, value, fallback, size);
@@ -212,7 +220,8 @@ std::optional<vec3> parameterRow(Ui ui, const Parameter& row, vec3 value, vec3 f
                                       : row.greatest > 4.0f ? "%.1f"
                                                             : "%.3f",
                             .logarithmic = row.greatest >= 256.0f,
-                            .help = row.help};
+                            .help = row.help,
+                            .unit = row.unit};
         if (const auto edited = numberRow(ui, row.label, value.x, number))
             changed = vec3(count ? std::round(*edited) : *edited, 0.0f, 0.0f);
     }

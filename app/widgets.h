@@ -25,8 +25,8 @@ struct Ui {
 };
 
 void beginTips(Tips& tips);
-// Of the widget before; `text` has to outlive the frame.
-void tip(Ui ui, const char* text);
+// Of the widget before; `text` has to outlive the frame. `detail` is a dim line below it.
+void tip(Ui ui, const char* text, const char* detail = "");
 
 // A heading that opens and closes what is under it.
 bool section(Ui ui, const char* label, bool open = true);
@@ -42,6 +42,7 @@ struct Number {
     const char* format = "%.3g";
     bool logarithmic = false;
     const char* help = "";
+    const char* unit = "";  // in words, for the tool tip
 };
 // A bar to drag; double click or Ctrl+click to type. The new value when it changed.
 std::optional<float> numberBar(Ui ui, const char* id, float value, const Number& number);

@@ -1,4 +1,6 @@
 // help_panel.cpp -- keys and mouse from the table of actions, and the load report.
+#include <algorithm>
+#include <cctype>
 #include <string>
 #include <string_view>
 
@@ -35,13 +37,17 @@ void helpRow(const std::string& keys, const char* text) {
 
 bool beginKeys(App& app, const char* id) {
     if (!ImGui::BeginTable(id, 2)) return false;
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, app.theme.px(104));
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, app.theme.px(136));
     ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
     return true;
 }
 
 void drawActionKeys(App& app, std::string_view menu) {
-    caption(uiOf(app), menu.data());
+    std::string heading(menu);
+    std::ranges::transform(heading, heading.begin(), [](char c) {
+        return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    });
+    caption(uiOf(app), heading.c_str());
     if (!beginKeys(app, menu.data())) return;
     for (const Action& action : actions()) {
         if (action.menu != menu) continue;
@@ -70,12 +76,13 @@ void drawHelp(App& app) {
     if (beginSheet(app, "Keys and mouse", &app.dialogs.help, {1060, 590}) &&
         ImGui::BeginTable("columns", 3, ImGuiTableFlags_SizingStretchSame)) {
         ImGui::TableNextColumn();
-        caption(uiOf(app), "Mouse");
+        caption(uiOf(app), "MOUSE");
         for (const MouseHelp& row : kMouse) {
             ImGui::TextUnformatted(row.effect);
             ImGui::PushFont(app.theme.small);
             ImGui::TextDisabled("%s", row.hand);
             ImGui::PopFont();
+            ImGui::Dummy({0, app.theme.px(2)});
         }
         ImGui::TableNextColumn();
         for (const char* menu : {"Brush", "Edit"}) drawActionKeys(app, menu);
