@@ -1,11 +1,13 @@
 // scatter.cpp -- hair roots, cluster by cluster.
 #include "scatter.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "morton.h"
 #include "strand.h"
 
 namespace pelage {
@@ -31,6 +33,23 @@ uint packBary(uint id) {
     const float b2 = (1.0f - b1) * rand01(id + 1u);
     const auto floored = [](float b) { return static_cast<uint>(b * 65535.0f); };
     return floored(b1) | floored(b2) << 16u;
+}
+
+uint reversedBits(uint x) {
+    x = (x & 0x55555555u) << 1 | (x >> 1 & 0x55555555u);
+    x = (x & 0x33333333u) << 2 | (x >> 2 & 0x33333333u);
+    x = (x & 0x0f0f0f0fu) << 4 | (x >> 4 & 0x0f0f0f0fu);
+    x = (x & 0x00ff00ffu) << 8 | (x >> 8 & 0x00ff00ffu);
+    return x << 16 | x >> 16;
+}
+
+// Place of a root on the Morton curve through the skin.
+std::uint64_t placeCode(const Root& root, const Skin& skin) {
+    const uvec3 t = skin.triangles[root.triangle];
+    const vec3 w = baryWeights(root.bary);
+    const vec3 place = w.x * skin.vertices[t.x].position + w.y * skin.vertices[t.y].position +
+                       w.z * skin.vertices[t.z].position;
+    return mortonCode(place, skin.lower, 2097151.0f / skin.size());
 }
 
 // Triangles along the Morton curve of the vertices, cut into runs of about equal expected hairs.
@@ -94,15 +113,28 @@ void bound(Cluster& cluster, const Skin& skin, std::span<const uint> triangles) 
         }
 }
 
-// The hairs of a cluster in the order of a hash of their ids; their ranks are evenly spaced, so
-// that sums over ranks are exact within a cluster, and start at a random phase, so that they are
-// unbiased over clusters however few hairs each holds.
-void orderByRank(std::span<Root> roots, uint seed) {
-    std::sort(roots.begin(), roots.end(), [](const Root& a, const Root& b) {
-        const uint ra = pcg(a.id ^ kRankStream), rb = pcg(b.id ^ kRankStream);
-        return ra != rb ? ra < rb : a.triangle < b.triangle;
-    });
+// The order of the hairs of a cluster such that any prefix is spread evenly: they are numbered along
+// the Morton curve through their places, and taken in the order of the numbers' reversed bits (van
+// der Corput, 1935). Ranks are evenly spaced, so that sums over ranks are exact within a cluster,
+// and start at a random phase, so that they are unbiased over clusters however few hairs each holds.
+void orderByRank(std::span<Root> roots, const Skin& skin, uint seed) {
     if (roots.empty()) return;
+    struct Entry {
+        std::uint64_t key;
+        Root root;
+    };
+    std::vector<Entry> entries;
+    entries.reserve(roots.size());
+    for (const Root& root : roots) entries.push_back({placeCode(root, skin), root});
+    const auto byKey = [](const Entry& a, const Entry& b) {
+        return a.key != b.key ? a.key < b.key : a.root.id < b.root.id;
+    };
+    std::sort(entries.begin(), entries.end(), byKey);
+    const uint start = pcg(roots.front().triangle ^ pcg(seed ^ kRankStream ^ 1u));
+    for (uint i = 0; i < entries.size(); ++i) entries[i].key = reversedBits(i) ^ start;
+    std::sort(entries.begin(), entries.end(), byKey);
+    for (std::size_t i = 0; i < roots.size(); ++i) roots[i] = entries[i].root;
+
     const float phase = rand01(pcg(roots.front().triangle ^ pcg(seed ^ kRankStream)));
     const float step = 1.0f / static_cast<float>(roots.size());
     for (std::size_t i = 0; i < roots.size(); ++i)
@@ -118,15 +150,19 @@ Roots scatterRoots(const Skin& skin, uint hairs, uint seed) {
     const std::vector<uint> order = spatialOrder(skin);
     const std::vector<Run> runs = cutRuns(skin, order, hairsPerArea);
 
-    const auto countOf = [&](uint t) {
-        const float u = rand01(pcg(t ^ pcg(seed ^ kCountStream)));
-        return randomRound(hairsPerArea * skin.areas[t], u);
-    };
+    std::vector<uint> counts(skin.triangles.size());
+    tbb::parallel_for(tbb::blocked_range<uint>(0, static_cast<uint>(counts.size()), 8192),
+                      [&](const auto& range) {
+                          for (uint t = range.begin(); t < range.end(); ++t) {
+                              const float u = rand01(pcg(t ^ pcg(seed ^ kCountStream)));
+                              counts[t] = randomRound(hairsPerArea * skin.areas[t], u);
+                          }
+                      });
     result.clusters.resize(runs.size());
     uint total = 0;
     for (std::size_t r = 0; r < runs.size(); ++r) {
         result.clusters[r].first = total;
-        for (std::size_t i = runs[r].first; i < runs[r].end; ++i) total += countOf(order[i]);
+        for (std::size_t i = runs[r].first; i < runs[r].end; ++i) total += counts[order[i]];
         result.clusters[r].count = total - result.clusters[r].first;
     }
     result.roots.resize(total);
@@ -135,13 +171,12 @@ Roots scatterRoots(const Skin& skin, uint hairs, uint seed) {
         Root* next = result.roots.data() + cluster.first;
         for (std::size_t i = runs[r].first; i < runs[r].end; ++i) {
             const uint t = order[i];
-            const uint count = countOf(t);
-            for (uint k = 0; k < count; ++k) {
+            for (uint k = 0; k < counts[t]; ++k) {
                 const uint id = hairId(t, k, seed);
                 *next++ = Root{t, packBary(id), id, 0.0f};
             }
         }
-        orderByRank({result.roots.data() + cluster.first, cluster.count}, seed);
+        orderByRank({result.roots.data() + cluster.first, cluster.count}, skin, seed);
         bound(cluster, skin,
               std::span(order).subspan(runs[r].first, runs[r].end - runs[r].first));
     });

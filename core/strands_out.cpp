@@ -17,11 +17,16 @@ Curves growCurves(const Document& document, const Roots& roots, uint segments) {
     const float overWidth = autoWidth(skin, fur.hairs, fur.over.taper);
     const float underWidth = autoWidth(skin, fur.hairs, fur.under.taper);
 
+    std::vector<FurVertex> painted(skin.vertices.size());
+    tbb::parallel_for(tbb::blocked_range<uint>(0, static_cast<uint>(painted.size()), 4096),
+                      [&](const auto& range) {
+                          for (uint v = range.begin(); v < range.end(); ++v)
+                              painted[v] = furToWorld(skin, v, document.groom.fur[v]);
+                      });
     const auto grow = [&](const Root& root) {
         const uvec3 t = skin.triangles[root.triangle];
-        const auto painted = [&](uint v) { return furToWorld(skin, v, document.groom.fur[v]); };
         return growStrand(root, skin.vertices[t.x], skin.vertices[t.y], skin.vertices[t.z],
-                          painted(t.x), painted(t.y), painted(t.z), fur,
+                          painted[t.x], painted[t.y], painted[t.z], fur,
                           isOvercoat(root.id, fur.share) ? overWidth : underWidth);
     };
 

@@ -23,7 +23,7 @@ uint hairId(uint triangle, uint k, uint seed) { return pcg(triangle ^ pcg(k ^ pc
 
 const uint kDrawPlace = 0u;    // and 1: barycentric weights
 const uint kDrawCoat = 2u;     // overcoat or undercoat
-const uint kDrawBall = 3u;     // 3, 4 and 5: displacement of the tip
+const uint kDrawBall = 3u;     // 3, 4 and 5, 8 and 9: displacement of the tip
 const uint kDrawTwist = 6u;    // turn of the shading normal
 const uint kDrawTone = 7u;     // brightness
 
@@ -55,12 +55,12 @@ vec3 baryWeights(uint bary) {
     return vec3(a, b, max(0.0f, 1.0f - a - b));
 }
 
-// Uniform in the unit ball.
+// Uniform in the unit ball. The largest of three uniform numbers is distributed like the radius.
 vec3 randomInBall(uint id) {
     float z = 2.0f * rand01(id + kDrawBall) - 1.0f;
     float turn = 6.2831853f * rand01(id + kDrawBall + 1u);
     float ring = sqrt(max(0.0f, 1.0f - z * z));
-    float radius = pow(rand01(id + kDrawBall + 2u), 1.0f / 3.0f);
+    float radius = max(rand01(id + kDrawBall + 2u), max(rand01(id + 8u), rand01(id + 9u)));
     return radius * vec3(ring * cos(turn), ring * sin(turn), z);
 }
 
