@@ -10,12 +10,6 @@
 namespace pelage {
 namespace {
 
-struct CornerData {  // as Corner in shaders/frame.glsl
-    vec2 uv{0.0f};
-    uint color = ~0u;
-    uint skinVertex = 0;
-};
-
 std::vector<glm::uvec4> trianglesWithMaterial(const Skin& skin, uint whiteMaterial) {
     std::vector<glm::uvec4> triangles(skin.triangles.size());
     for (const SourcePart& part : skin.source->parts) {

@@ -11,6 +11,12 @@
 
 namespace pelage {
 
+struct CornerData {  // as Corner in shaders/frame.glsl
+    vec2 uv{0.0f};
+    uint color = ~0u;
+    uint skinVertex = 0;
+};
+
 class Mirror {
 public:
     // Makes the GPU's copy equal to the document. Uploads the skin when it is another one, roots
