@@ -27,9 +27,11 @@ const uint kDrawBall = 3u;     // 3, 4 and 5, 8 and 9: displacement of the tip
 const uint kDrawTwist = 6u;    // turn of the shading normal
 const uint kDrawTone = 7u;     // brightness
 
-bool finite3(vec3 v) {
-    return abs(v.x) < 3.0e38f && abs(v.y) < 3.0e38f && abs(v.z) < 3.0e38f;
-}
+// Below 2^125, so that 1/x is no denormal, which GPUs may take for 0. A test of the bits, because
+// GLSL compilers may assume that no value is NaN and turn comparisons around.
+bool finite1(float x) { return (floatBitsToUint(x) & 0x7fffffffu) < 0x7e000000u; }
+
+bool finite3(vec3 v) { return finite1(v.x) && finite1(v.y) && finite1(v.z); }
 
 // v as a unit vector; `fallback` where v has no direction: zero, tiny, infinite or NaN.
 vec3 safeUnit(vec3 v, vec3 fallback) {

@@ -17,11 +17,15 @@ struct Job {     // a prefix of a cluster of roots, at most 32 of them
     uint count;
     float lod;   // share of the hairs that is drawn
     float fade;  // rank at which a hair of density 1 has faded out, >= lod
+    uint seen;   // bit i: the first pass found that hair i is not hidden
+    uint pad0;
+    uint pad1;
+    uint pad2;
 };
 
 layout(std430, binding = 7) readonly buffer RootsBuffer { Root roots[]; };
 layout(std430, binding = 8) coherent buffer Keys { uint keys[]; };
-layout(std430, binding = 9) readonly buffer Jobs { Job jobs[]; };
+layout(std430, binding = 9) buffer Jobs { Job jobs[]; };
 layout(std430, binding = 10) buffer Counters { uint drawn; };
 layout(binding = 1) uniform sampler2D skinDepth;
 #ifndef DEPTH_PASS
@@ -76,8 +80,12 @@ void main() {
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     if (group >= frame.jobs) return;
     Job job = jobs[group];
-    if (gl_LocalInvocationID.x >= job.count) return;
-    Root root = roots[job.first + gl_LocalInvocationID.x];
+    uint lane = gl_LocalInvocationID.x;
+    if (lane >= job.count) return;
+#ifndef DEPTH_PASS
+    if ((job.seen >> lane & 1u) == 0u) return;
+#endif
+    Root root = roots[job.first + lane];
 
     // What the painted density and the level of detail leave out is left before it is shaped.
     bool over = isOvercoat(root.id, fur.share);
@@ -102,17 +110,22 @@ void main() {
     vec4 weightless = frame.viewProjection * vec4(s.scale * s.weightless, 0.0);
     vec4 end = frame.viewProjection * vec4(s.scale * s.end, 0.0);
     float dt = 1.0 / float(segments);
+#ifdef DEPTH_PASS
     bool seen = false;
+#endif
     for (uint i = 0u; i <= segments; ++i) {
         float at = float(i) * dt;
         vec2 k = strandWeights(at);
         points[i] = toWindow(origin + k.x * weightless + k.y * end, strandWidth(s, taper, at));
+#ifdef DEPTH_PASS
         if (!seen) seen = mayBeSeen(points[i]);
+#endif
     }
-    if (!seen) return;
 
 #ifdef DEPTH_PASS
+    if (!seen) return;
     atomicAdd(drawn, 1u);
+    atomicOr(jobs[group].seen, 1u << lane);
 #else
     vec3 field = frame.overlay == 1u ? vec3(furVertices[t.x].furLength, furVertices[t.y].furLength,
                                             furVertices[t.z].furLength)
@@ -121,9 +134,10 @@ void main() {
     float perArea = frame.hairsPerArea * keep;
     float painted = s.spineLength / max(over ? fur.over.relativeLength : fur.under.relativeLength, 1e-6);
     vec3 eye = toEye(s.origin);
-    vec3 colors[kMostSegments + 1u];
-    for (uint i = 0u; i <= segments; ++i) {
-        float at = float(i) * dt;
+    // Color varies slowly along a hair: every second point is enough.
+    vec3 colors[kMostSegments / 2u + 2u];
+    for (uint i = 0u; i <= (segments + 1u) / 2u; ++i) {
+        float at = min(2.0 * float(i) * dt, 1.0);
         float depth = depthInCoat(fur, perArea, painted, frame.overWidth, frame.underWidth, s.coat, at);
         if (over)
             colors[i] = fiberRadiance(s, fur.over, frame.light, base, at, eye, depth);
@@ -133,6 +147,13 @@ void main() {
 #endif
 
     for (uint i = 0u; i < segments; ++i) {
+#ifndef DEPTH_PASS
+        uint pair = i / 2u;
+        bool whole = 2u * pair + 2u <= segments;  // the last pair of an odd number is half as long
+        float scale = whole ? 0.5 : 1.0;
+        vec3 colorA = mix(colors[pair], colors[pair + 1u], scale * float(i & 1u));
+        vec3 colorB = mix(colors[pair], colors[pair + 1u], scale * float(1u + (i & 1u)));
+#endif
         // u runs along the axis in which the segment is longer: one step of a pixel at a time.
         vec4 a = points[i];
         vec4 b = points[i + 1u];
@@ -164,7 +185,7 @@ void main() {
                 atomicMin(keys[pixel], key);
 #else
                 if (keys[pixel] == key)
-                    imageStore(picture, at, vec4(mix(colors[i], colors[i + 1u], f), 1.0));
+                    imageStore(picture, at, vec4(mix(colorA, colorB, f), 1.0));
 #endif
             }
         }

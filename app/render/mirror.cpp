@@ -10,13 +10,21 @@
 namespace pelage {
 namespace {
 
-std::vector<glm::uvec4> trianglesWithMaterial(const Skin& skin, uint whiteMaterial) {
+std::vector<Mirror::Part> partsOf(const Source& source) {
+    const uint white = static_cast<uint>(source.materials.size());  // see makeBaseColors
+    std::vector<Mirror::Part> parts;
+    for (const SourcePart& part : source.parts)
+        parts.push_back({part.firstTriangle, part.triangleCount,
+                         part.material < 0 ? white : static_cast<uint>(part.material)});
+    return parts;
+}
+
+std::vector<glm::uvec4> trianglesWithMaterial(const Skin& skin,
+                                              const std::vector<Mirror::Part>& parts) {
     std::vector<glm::uvec4> triangles(skin.triangles.size());
-    for (const SourcePart& part : skin.source->parts) {
-        const uint material = part.material < 0 ? whiteMaterial : static_cast<uint>(part.material);
-        for (uint t = part.firstTriangle; t < part.firstTriangle + part.triangleCount; ++t)
-            triangles[t] = glm::uvec4(skin.triangles[t], material);
-    }
+    for (const Mirror::Part& part : parts)
+        for (std::size_t t = part.firstTriangle; t < part.firstTriangle + part.triangleCount; ++t)
+            triangles[t] = glm::uvec4(skin.triangles[t], part.material);
     return triangles;
 }
 
@@ -44,14 +52,13 @@ void Mirror::uploadSkin(const Skin& skin) {
     baseColors_ = std::move(colors.texture);
     materials_.upload(view(colors.materials));
     skinVertices_.upload(view(skin.vertices));
-    triangles_.upload(
-        view(trianglesWithMaterial(skin, static_cast<uint>(source.materials.size()))));
+    parts_ = partsOf(source);
+    triangles_.upload(view(trianglesWithMaterial(skin, parts_)));
     sourceTriangles_.upload(view(source.triangles));
     corners_.upload(view(cornersOf(skin)));
     furVertices_.resize(skin.vertices.size() * sizeof(FurVertex));
     mask_.resize(skin.vertices.size() * sizeof(float));
     textured_ = !source.uvs.empty() || !source.colors.empty();
-    triangleCount_ = source.triangles.size();
 }
 
 void Mirror::uploadGroom(const Document& document, bool all) {

@@ -28,7 +28,12 @@ public:
     void bind() const;
 
     const Roots& roots() const { return roots_; }
-    std::size_t sourceTriangleCount() const { return triangleCount_; }
+    // Runs of triangles that share a material.
+    struct Part {
+        std::size_t firstTriangle = 0, triangleCount = 0;
+        uint material = 0;
+    };
+    const std::vector<Part>& parts() const { return parts_; }
     const gl::Buffer& indices() const { return sourceTriangles_; }
     bool textured() const { return textured_; }
     float longestHair() const;  // m, of all vertices
@@ -44,7 +49,8 @@ private:
     Fur fur_{};
     Roots roots_;
     bool textured_ = false;
-    std::size_t triangleCount_ = 0, chunksUploaded_ = 0;
+    std::vector<Part> parts_;
+    std::size_t chunksUploaded_ = 0;
     std::vector<float> longestOfChunk_;
     gl::Buffer skinVertices_, furVertices_, triangles_, sourceTriangles_, corners_, materials_, mask_,
         rootBuffer_, furBlock_;

@@ -37,12 +37,12 @@ void PostPass::accumulate(const gl::Texture& sample, bool first) {
     glDisable(GL_BLEND);
 }
 
-void PostPass::display(int samples, std::span<const OverlayLine> lines, const mat4& viewProjection,
-                       const gl::Texture& skinDepth) {
+void PostPass::display(int samples, const gl::Texture& only, std::span<const OverlayLine> lines,
+                       const mat4& viewProjection, const gl::Texture& skinDepth) {
     glBindFramebuffer(GL_FRAMEBUFFER, pictureTarget_.name());
     glViewport(0, 0, size_.x, size_.y);
     glBindVertexArray(vertexArray_.name());
-    glBindTextureUnit(0, sum_.name());
+    glBindTextureUnit(0, samples == 1 ? only.name() : sum_.name());
     display_.use();
     glProgramUniform1f(display_.name(), 0, 1.0f / static_cast<float>(samples));
     glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -15,9 +15,10 @@ public:
     void resize(ivec2 size);
     // Adds one sample; the first one of a picture replaces what was there.
     void accumulate(const gl::Texture& sample, bool first);
-    // The mean of `samples` samples, sRGB-encoded, then the lines, into picture().
-    void display(int samples, std::span<const OverlayLine> lines, const mat4& viewProjection,
-                 const gl::Texture& skinDepth);
+    // The mean of the accumulated samples, or `only` where there was a single one; sRGB-encoded,
+    // then the lines, into picture().
+    void display(int samples, const gl::Texture& only, std::span<const OverlayLine> lines,
+                 const mat4& viewProjection, const gl::Texture& skinDepth);
 
     const gl::Texture& picture() const { return picture_; }
     std::size_t bytes() const { return static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * 20; }

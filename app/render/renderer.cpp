@@ -94,6 +94,7 @@ struct Renderer::Parts {
     ivec2 size{0};
     std::optional<PictureKey> key;
     int samples = 0;
+    bool single = false;
     bool linesShown = false;
     FrameStats stats;
     CostModel cost;
@@ -210,11 +211,14 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
     const auto start = Clock::now();
     const bool changed = p.mirror.update(document);
     const PictureKey key(view);
-    if (changed || !p.key || !(*p.key == key)) p.samples = 0;
+    const int wanted = std::clamp(view.samples, 1, 1024);
+    // A single sample is shown as it is and not kept in the sum, so more of them begin anew.
+    const bool single = wanted == 1;
+    if (changed || !p.key || !(*p.key == key) || (p.single && !single)) p.samples = 0;
     p.key = key;
+    p.single = single;
     p.resize(view.size);
 
-    const int wanted = std::clamp(view.samples, 1, 1024);
     if (p.samples < wanted) {
         const FrameData frame = p.frameData(document, view, p.samples);
         p.drawSkin(frame, view);
@@ -223,16 +227,16 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
             p.cost.learnRest(secondsSince(start));
         }
         p.drawStrands(document, view, frame);
-        p.postPass.accumulate(p.color, p.samples == 0);
+        if (!single) p.postPass.accumulate(p.color, p.samples == 0);
         ++p.samples;
-        p.postPass.display(p.samples, view.lines, p.viewProjection(document, view), p.depth);
+        p.postPass.display(p.samples, p.color, view.lines, p.viewProjection(document, view), p.depth);
         glFinish();
         p.stats.seconds = secondsSince(start);
         p.stats.hairsTotal = p.mirror.roots().roots.size();
         p.stats.hairsDrawn = p.strandPass.hairsDrawn();
         p.stats.samples = p.samples;
     } else if (!view.lines.empty() || p.linesShown) {
-        p.postPass.display(p.samples, view.lines, p.viewProjection(document, view), p.depth);
+        p.postPass.display(p.samples, p.color, view.lines, p.viewProjection(document, view), p.depth);
     }
     p.linesShown = !view.lines.empty();
     p.stats.finished = p.samples >= wanted;

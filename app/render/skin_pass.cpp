@@ -13,8 +13,12 @@ void SkinPass::draw(const Mirror& mirror) const {
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * mirror.sourceTriangleCount()),
-                   GL_UNSIGNED_INT, nullptr);
+    for (const Mirror::Part& part : mirror.parts()) {
+        glProgramUniform1ui(program_.name(), 0, part.material);
+        const std::size_t offset = part.firstTriangle * 3 * sizeof(uint);
+        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * part.triangleCount), GL_UNSIGNED_INT,
+                       reinterpret_cast<const void*>(offset));
+    }
     glDisable(GL_DEPTH_TEST);
 }
 

@@ -15,6 +15,7 @@ struct StrandPlan {
     struct Job {  // as in shaders/strand_raster.comp
         uint first = 0, count = 0;
         float lod = 1.0f, fade = 1.0f;
+        uint seen = 0, pad[3] = {};
     };
     std::vector<Job> jobs;
     std::size_t hairs = 0;  // sum of the counts

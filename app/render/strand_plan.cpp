@@ -53,8 +53,10 @@ StrandPlan planStrands(const Roots& roots, const FrameData& frame, float rootWid
         const uint count = std::min(wanted, cluster.count);
         plan.hairs += count;
         for (uint first = 0; first < count; first += kJobSize)
-            plan.jobs.push_back(
-                {cluster.first + first, std::min(kJobSize, count - first), lod, fade});
+            plan.jobs.push_back({.first = cluster.first + first,
+                                 .count = std::min(kJobSize, count - first),
+                                 .lod = lod,
+                                 .fade = fade});
     }
     return plan;
 }
