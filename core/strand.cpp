@@ -3,9 +3,9 @@
 
 namespace pelage {
 
-using glm::abs, glm::acos, glm::clamp, glm::cos, glm::cross, glm::dot, glm::exp, glm::isinf,
-    glm::isnan, glm::length, glm::log, glm::max, glm::min, glm::mix, glm::normalize, glm::pow,
-    glm::sin, glm::sqrt;
+using glm::abs, glm::acos, glm::clamp, glm::cos, glm::cross, glm::dot, glm::exp,
+    glm::floatBitsToUint, glm::isinf, glm::isnan, glm::length, glm::log, glm::max, glm::min,
+    glm::mix, glm::normalize, glm::pow, glm::sin, glm::sqrt;
 
 #include "shaders/strand.glsl"
 
