@@ -1,0 +1,267 @@
+// parity_gltest.cpp -- the GPU and the CPU agree about every hair.
+//
+// Both compile strand.glsl and fiber.glsl. Drivers may round sqrt, sin, pow and exp differently,
+// so positions and colors agree within tolerances; decisions made from them do not depend on such
+// functions and agree bit for bit.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "app/render/frame_data.h"
+#include "core/coat.h"
+#include "core/strand.h"
+#include "tests/core/test_skins.h"
+#include "tests/gl/gl_context.h"
+
+namespace pelage {
+namespace {
+
+constexpr uint kHairs = 8192;  // of each fur
+constexpr std::array<float, 4> kPlaces{0.0f, 0.3f, 0.7f, 1.0f};
+constexpr float kAutoWidth = 1e-4f;
+
+struct Result {  // as in the shader below
+    Strand strand;
+    std::array<vec4, 4> points, tangents, normals, colors;  // w of a color: depth in the coat
+    uint hash, id, over, pad;
+    vec4 weights;  // w: rand01
+};
+
+const char* const kShader = R"(
+struct Result {
+    Strand strand;
+    vec4 points[4]; vec4 tangents[4]; vec4 normals[4]; vec4 colors[4];
+    uint hash; uint id; uint over; uint pad;
+    vec4 weights;
+};
+layout(local_size_x = 64) in;
+layout(std140, binding = 1) uniform FurBlock { Fur fur; };
+layout(std430, binding = 0) readonly buffer A { SkinVertex skinVertices[]; };
+layout(std430, binding = 1) readonly buffer B { FurVertex furVertices[]; };
+layout(std430, binding = 2) readonly buffer C { uvec4 triangles[]; };
+layout(std430, binding = 3) readonly buffer L { Light light; };
+layout(std430, binding = 7) readonly buffer D { Root roots[]; };
+layout(std430, binding = 8) writeonly buffer E { Result results[]; };
+
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= uint(roots.length())) return;
+    Root root = roots[i];
+    uvec4 t = triangles[root.triangle];
+    FurVertex fa = furVertices[t.x];
+    Strand s = growStrand(root, skinVertices[t.x], skinVertices[t.y], skinVertices[t.z], fa,
+                          furVertices[t.y], furVertices[t.z], fur, 1e-4);
+    Coat coat = fur.under;
+    if (s.coat == 0u) coat = fur.over;
+    float places[4] = float[4](0.0, 0.3, 0.7, 1.0);
+    for (int k = 0; k < 4; ++k) {
+        float at = places[k];
+        vec3 tangent = strandTangent(s, at);
+        float depth = depthInCoat(fur, 1e5, s.spineLength, 1e-4, 2e-5, s.coat, at);
+        results[i].points[k] = vec4(strandPoint(s, at), strandWidth(s, coat.taper, at));
+        results[i].tangents[k] = vec4(tangent, 0.0);
+        results[i].normals[k] = vec4(strandNormal(s, tangent), 0.0);
+        results[i].colors[k] = vec4(
+            fiberRadiance(s, coat, light, vec3(0.9, 0.5, 0.2), at, vec3(0.0, 0.6, 0.8), depth),
+            depth);
+    }
+    results[i].strand = s;
+    results[i].hash = pcg(root.id);
+    results[i].id = hairId(root.triangle, i, fur.seed);
+    results[i].over = isOvercoat(root.id, fur.share) ? 1u : 0u;
+    results[i].pad = 0u;
+    results[i].weights = vec4(baryWeights(root.bary), rand01(root.id));
+}
+)";
+
+// A crumpled ball with fur that no brush would leave: hard numbers beside ordinary ones.
+struct Scene {
+    std::vector<SkinVertex> skin;
+    std::vector<FurVertex> fur;
+    std::vector<glm::uvec4> triangles;
+    std::vector<Root> roots;
+};
+
+Scene randomScene(uint seed) {
+    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float kHard[] = {0.0f,   1.0f,  -1.0f, kNan, std::numeric_limits<float>::infinity(),
+                               1e-30f, 1e-6f, 1e6f,  3e38f};
+    test::Draws draws(seed);
+    const auto hard = [&] { return kHard[draws.below(std::size(kHard))]; };
+    const auto ball = makeSkin(test::ball(3));
+    Scene scene;
+    for (SkinVertex v : ball->vertices) {
+        v.position += draws.inBox(0.03f);
+        const uint kind = draws.below(16);
+        if (kind == 0) v.normal = vec3(0.0f);
+        if (kind == 1) v.normal = glm::normalize(draws.inBox(1.0f) + vec3(0.0f, 0.01f, 0.0f));
+        scene.skin.push_back(v);
+        FurVertex f{draws.inBox(1.0f), draws.in(0.0f, 0.1f), draws.in(0.0f, 1.0f), 0, 0, 0};
+        if (draws.below(64) == 0) f.direction = vec3(hard(), hard(), hard());
+        if (draws.below(64) == 0) f.furLength = hard();
+        if (draws.below(64) == 0) f.density = hard();
+        if (kind == 2) f.direction = vec3(0.0f);
+        scene.fur.push_back(f);
+    }
+    for (const uvec3& t : ball->triangles) scene.triangles.emplace_back(t, 0u);
+    for (uint i = 0; i < kHairs; ++i) {
+        const uint triangle = draws.below(static_cast<uint>(scene.triangles.size()));
+        const uint a = draws.below(65536), b = draws.below(65536 - a);
+        scene.roots.push_back({triangle, a | (b << 16u), pcg(seed ^ pcg(i)), draws.in(0.0f, 1.0f)});
+    }
+    return scene;
+}
+
+// Every parameter at random in its range, every fourth at an end of it.
+Fur randomFur(uint seed) {
+    test::Draws draws(seed);
+    Fur fur = defaultFur();
+    const auto value = [&](const Parameter& row) {
+        const auto one = [&] {
+            const uint kind = draws.below(8);
+            return kind == 0   ? row.least
+                   : kind == 1 ? row.greatest
+                               : draws.in(row.least, row.greatest);
+        };
+        const float x = one(), y = one();
+        return vec3(x, y, one());
+    };
+    for (const Parameter& row : coatParameters()) {
+        setParameter(fur.over, row, value(row));
+        setParameter(fur.under, row, value(row));
+    }
+    for (const Parameter& row : furParameters()) setParameter(fur, row, value(row));
+    return fur;
+}
+
+Light testLight() {
+    Light light{};
+    light.toKey = glm::normalize(vec3(0.3f, 0.8f, -0.4f));
+    light.key = 1.9f;
+    light.sky = vec3(0.62f, 0.68f, 0.78f);
+    light.ground = vec3(0.26f, 0.23f, 0.20f);
+    return light;
+}
+
+Result onCpu(const Scene& scene, const Fur& fur, const Light& light, uint i) {
+    const Root& root = scene.roots[i];
+    const glm::uvec4 t = scene.triangles[root.triangle];
+    Result r{};
+    r.strand = growStrand(root, scene.skin[t.x], scene.skin[t.y], scene.skin[t.z], scene.fur[t.x],
+                          scene.fur[t.y], scene.fur[t.z], fur, kAutoWidth);
+    const Strand& s = r.strand;
+    const Coat& coat = s.coat == 0 ? fur.over : fur.under;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const float at = kPlaces[k];
+        const vec3 tangent = strandTangent(s, at);
+        const float depth = depthInCoat(fur, 1e5f, s.spineLength, 1e-4f, 2e-5f, s.coat, at);
+        r.points[k] = vec4(strandPoint(s, at), strandWidth(s, coat.taper, at));
+        r.tangents[k] = vec4(tangent, 0.0f);
+        r.normals[k] = vec4(strandNormal(s, tangent), 0.0f);
+        r.colors[k] = vec4(fiberRadiance(s, coat, light, vec3(0.9f, 0.5f, 0.2f), at,
+                                         vec3(0.0f, 0.6f, 0.8f), depth),
+                           depth);
+    }
+    r.hash = pcg(root.id);
+    r.id = hairId(root.triangle, i, fur.seed);
+    r.over = isOvercoat(root.id, fur.share) ? 1u : 0u;
+    r.weights = vec4(baryWeights(root.bary), rand01(root.id));
+    return r;
+}
+
+std::vector<Result> onGpu(const gl::ProgramName& program, const Scene& scene, const Fur& fur,
+                          const Light& light) {
+    const gl::Buffer skin = test::bufferOf(scene.skin), vertices = test::bufferOf(scene.fur),
+                     triangles = test::bufferOf(scene.triangles),
+                     roots = test::bufferOf(scene.roots), block = test::bufferOf<Fur>({fur}),
+                     lights = test::bufferOf<Light>({light});
+    gl::Buffer results;
+    results.resize(scene.roots.size() * sizeof(Result));
+    block.bindUniform(binding::fur);
+    skin.bindStorage(0);
+    vertices.bindStorage(1);
+    triangles.bindStorage(2);
+    lights.bindStorage(3);
+    roots.bindStorage(7);
+    results.bindStorage(8);
+    glUseProgram(program.name());
+    glDispatchCompute((kHairs + 63) / 64, 1, 1);
+    return test::valuesOf<Result>(results.name(), scene.roots.size());
+}
+
+bool finite(const vec4& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
+}
+
+// The largest differences over all hairs.
+struct Differences {
+    double point = 0.0;  // share of what is allowed
+    double tangent = 0.0, normal = 0.0, color = 0.0, depth = 0.0;
+    std::size_t hairs = 0, decisions = 0, notFinite = 0;
+    std::size_t points = 0;  // hairs whose points differ by more than is allowed
+
+    void compare(const Result& gpu, const Result& cpu) {
+        ++hairs;
+        const auto bits = [](float x) { return std::bit_cast<uint>(x); };
+        decisions += gpu.hash != cpu.hash || gpu.id != cpu.id || gpu.over != cpu.over ||
+                     gpu.strand.coat != cpu.strand.coat ||
+                     bits(gpu.strand.keep) != bits(cpu.strand.keep) ||
+                     bits(gpu.weights.w) != bits(cpu.weights.w) || gpu.weights != cpu.weights ||
+                     (gpu.strand.spineLength > 0.0f) != (cpu.strand.spineLength > 0.0f);
+        const float allowed = 1e-6f * cpu.strand.spineLength + 1e-6f;
+        double worst = 0.0;
+        for (std::size_t k = 0; k < 4; ++k) {
+            for (const Result* r : {&gpu, &cpu})
+                notFinite += !finite(r->points[k]) || !finite(r->tangents[k]) ||
+                             !finite(r->normals[k]) || !finite(r->colors[k]);
+            const auto apart = [](vec4 a, vec4 b) {
+                return static_cast<double>(glm::distance(vec3(a), vec3(b)));
+            };
+            worst =
+                std::max(worst, apart(gpu.points[k], cpu.points[k]) / static_cast<double>(allowed));
+            tangent = std::max(tangent, apart(gpu.tangents[k], cpu.tangents[k]));
+            normal = std::max(normal, apart(gpu.normals[k], cpu.normals[k]));
+            color =
+                std::max(color, apart(gpu.colors[k], cpu.colors[k]) /
+                                    (1.0 + static_cast<double>(glm::length(vec3(cpu.colors[k])))));
+            depth =
+                std::max(depth, static_cast<double>(std::abs(gpu.colors[k].w - cpu.colors[k].w) /
+                                                    (1.0f + std::abs(cpu.colors[k].w))));
+        }
+        points += worst > 1.0;
+        point = std::max(point, worst);
+    }
+};
+
+TEST(Parity, GpuAndCpuAgreeAboutEveryHair) {
+    const gl::ProgramName program = test::computeProgram(
+        test::shaderHead({"types.glsl", "strand.glsl", "fiber.glsl"}) + kShader);
+    const Light light = testLight();
+    Differences d;
+    for (uint seed = 1; seed <= 12; ++seed) {
+        const Scene scene = randomScene(seed);
+        const Fur fur = randomFur(seed);
+        const std::vector<Result> gpu = onGpu(program, scene, fur, light);
+        for (uint i = 0; i < kHairs; ++i) d.compare(gpu[i], onCpu(scene, fur, light, i));
+    }
+    std::printf(
+        "%zu hairs: points %.3g of what is allowed (%zu hairs beyond), tangents %.3g, normals "
+        "%.3g, "
+        "colors %.3g, depths %.3g\n",
+        d.hairs, d.point, d.points, d.tangent, d.normal, d.color, d.depth);
+    EXPECT_GE(d.hairs, 50000u);
+    EXPECT_EQ(d.decisions, 0u);
+    EXPECT_EQ(d.notFinite, 0u);
+    EXPECT_LE(d.point, 1.0);
+    EXPECT_LE(d.tangent, 1e-5);
+    EXPECT_LE(d.color, 2e-3);
+    EXPECT_LE(d.depth, 1e-5);
+}
+
+}  // namespace
+}  // namespace pelage
