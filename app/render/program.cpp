@@ -47,8 +47,12 @@ void expand(std::string_view name, std::string_view includedFrom, ShaderText& re
     }
 }
 
-// The driver's log names source numbers, "2:14(5): error: ..."; put the file's name instead.
-std::string readableLog(const std::string& log, const std::vector<std::string>& files) {
+std::string firstLine(const std::string& log) { return log.substr(0, log.find('\n')); }
+
+// The driver's log names source numbers, "2:14(5): error: ..."; put the file's name instead. Only
+// the first error: the others mostly follow from it.
+std::string readableLog(const std::string& whole, const std::vector<std::string>& files) {
+    const std::string log = firstLine(whole);
     const std::regex place(R"((\d+)[:(](\d+)\)?(\(\d+\))?:? *)");
     std::smatch match;
     if (!std::regex_search(log, match, place)) return files.front() + ": " + log;
@@ -87,7 +91,7 @@ gl::ProgramName link(std::initializer_list<GLuint> shaders, std::string_view nam
     if (!good) {
         char log[4096] = "";
         glGetProgramInfoLog(program.name(), sizeof log, nullptr, log);
-        throw std::runtime_error(std::string(name) + ": " + log);
+        throw std::runtime_error(std::string(name) + ": " + firstLine(log));
     }
     return program;
 }
