@@ -48,10 +48,11 @@ void expectElements(GLuint program, const std::string& block, const std::string&
 
 // A shader that stores one element of each structure, so that none of it is unused.
 gl::ProgramName shaderOf(const std::string& type) {
-    return test::computeProgram(test::shaderHead({"types.glsl"}) + "layout(local_size_x = 1) in;\n" +
-                          "layout(std430, binding = 0) buffer From { " + type + " from[]; };\n" +
-                          "layout(std430, binding = 1) buffer Into { " + type + " into[]; };\n" +
-                          "void main() { into[0] = from[1]; }\n");
+    return test::computeProgram(test::shaderHead({"types.glsl"}) +
+                                "layout(local_size_x = 1) in;\n" +
+                                "layout(std430, binding = 0) buffer From { " + type +
+                                " from[]; };\n" + "layout(std430, binding = 1) buffer Into { " +
+                                type + " into[]; };\n" + "void main() { into[0] = from[1]; }\n");
 }
 
 const std::vector<Field> kSkinVertex{FIELD(SkinVertex, position), FIELD(SkinVertex, segment),
@@ -143,7 +144,10 @@ TEST(Layout, BuffersOfTheStrandPassLieAsTheDriverReadsThem) {
          "jobs",
          sizeof(StrandPlan::Job),
          {FIELD(StrandPlan::Job, first), FIELD(StrandPlan::Job, count), FIELD(StrandPlan::Job, lod),
-          FIELD(StrandPlan::Job, fade)}},
+          FIELD(StrandPlan::Job, fade), FIELD(StrandPlan::Job, seen),
+          Field{"pad0", offsetof(StrandPlan::Job, pad)},
+          Field{"pad1", offsetof(StrandPlan::Job, pad) + 4},
+          Field{"pad2", offsetof(StrandPlan::Job, pad) + 8}}},
         {"Materials",
          "materials",
          sizeof(MaterialData),

@@ -1,0 +1,36 @@
+// test_pictures.h -- PNG files made by tests, as bytes.
+#pragma once
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "core/files.h"
+#include "tests/gl/gl_context.h"
+
+namespace pelage::test {
+
+// RGBA8 rows from the top as the bytes of a PNG file.
+inline std::vector<std::byte> pngOf(ivec2 size, const std::vector<unsigned char>& rgba) {
+    const std::string path =
+        ::testing::TempDir() + "pelage_" + std::to_string(getpid()) + "_picture.png";
+    writePng(path, size, rgba);
+    std::vector<std::byte> bytes = readFile(path, 1u << 24);
+    std::remove(path.c_str());
+    return bytes;
+}
+
+// The left half in one sRGB color and the right half in another.
+inline std::vector<std::byte> twoColorPng(ivec2 size, glm::ivec3 left, glm::ivec3 right) {
+    std::vector<unsigned char> rgba;
+    for (int i = 0; i < size.x * size.y; ++i) {
+        const glm::ivec3 color = i % size.x < size.x / 2 ? left : right;
+        for (int c = 0; c < 3; ++c) rgba.push_back(static_cast<unsigned char>(color[c]));
+        rgba.push_back(255);
+    }
+    return pngOf(size, rgba);
+}
+
+}  // namespace pelage::test
