@@ -21,7 +21,7 @@ std::string lengthText(float metres) {
     return text;
 }
 
-float modelRadius(const Skin& skin) { return 0.46f * skin.size(); }
+float modelRadius(const Skin& skin) { return skin.radius + 0.04f * skin.size(); }
 
 void frameAll(Session& session, const Skin& skin, float aspect) {
     const bool orthographic = session.camera.orthographic;

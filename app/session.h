@@ -39,7 +39,7 @@ struct Session {
     const Brush& brush() const { return brushes[static_cast<std::size_t>(tool)]; }
 };
 
-// Radius of the ball around skin.center() to frame: all but the corners of the bounds, m.
+// Radius of the ball around skin.center() to frame, m: the skin and a coat of usual length.
 float modelRadius(const Skin& skin);
 
 // Brushes and camera for an animal that was just opened; view options and brush habits stay.

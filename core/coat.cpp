@@ -179,7 +179,7 @@ std::span<const Parameter> furParameters() { return kFurRows; }
 Fur defaultFur() {
     Coat over{};
     over.stiffness = 0.4f;
-    over.endRandomness = 0.1f;
+    over.endRandomness = 0.16f;
     over.normalRandomness = 0.5f;
     over.directionWeight = 0.6f;
     over.relativeLength = 1.0f;
@@ -189,13 +189,13 @@ Fur defaultFur() {
     over.shininess = 50.0f;
     over.rootColor = {0.36f, 0.34f, 0.32f};
     over.tipColor = {1.0f, 0.98f, 0.95f};
-    over.colorNoise = 0.1f;
+    over.colorNoise = 0.22f;
     over.width = 0.0f;
     over.taper = 1.0f;
 
     Coat under = over;
     under.stiffness = 0.7f;
-    under.endRandomness = 0.2f;
+    under.endRandomness = 0.25f;
     under.directionWeight = 0.5f;
     under.relativeLength = 0.45f;
     under.specular = {0.06f, 0.06f, 0.06f};

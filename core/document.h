@@ -18,7 +18,8 @@ struct Document {
     bool operator==(const Document&) const = default;
 };
 
-// The document of a source: its skin, the fur it carries or else a first groom and default coats.
+// The document of a source: its skin, the fur it carries or else a first groom and default coats,
+// which are brown where the mesh has no color of its own.
 Document openDocument(Source source, Progress* progress = nullptr);
 
 }  // namespace pelage

@@ -168,6 +168,10 @@ void measureTriangles(Skin& skin) {
         skin.upper = any ? glm::max(skin.upper, p) : p;
         any = true;
     }
+    for (uint v = 0; v < skin.vertices.size(); ++v)
+        if (used[v])
+            skin.radius =
+                std::max(skin.radius, glm::distance(skin.vertices[v].position, skin.center()));
     skin.report.unusedVertices =
         static_cast<std::size_t>(std::count(used.begin(), used.end(), char(0)));
 }

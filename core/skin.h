@@ -49,6 +49,7 @@ struct Skin {
     std::span<const uint> ring(uint v) const {
         return {ring_.data() + ringFirst_[v], ring_.data() + ringFirst_[v + 1]};
     }
+    float radius = 0.0f;            // m, of the ball around center() that holds those vertices
     // Diagonal of the bounds, m; 1 for an empty or point-like skin.
     float size() const;
     // Middle of the bounds.

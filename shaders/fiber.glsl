@@ -49,8 +49,9 @@ vec3 skyLight(Light light, vec3 n) {
 
 // Radiance towards toEye (unit) at t of a hair; base is the color of the skin at the root, depth the
 // optical depth of the coat above (depthInCoat). Kajiya and Kay, "Rendering fur with three
-// dimensional textures", 1989, for diffuse and specular; half of the diffuse term uses the shading
-// normal of Van Gelder and Wilhelms 1997, 3.7, so that each hair catches the light differently.
+// dimensional textures", 1989, for diffuse and specular; half of the diffuse term and the strength
+// of the highlight use the shading normal of Van Gelder and Wilhelms 1997, 3.7, so that each hair
+// catches the light differently.
 vec3 fiberRadiance(Strand s, Coat coat, Light light, vec3 base, float t, vec3 toEye, float depth) {
     vec3 tangent = strandTangent(s, t);
     vec3 shading = strandNormal(s, tangent);
@@ -63,7 +64,8 @@ vec3 fiberRadiance(Strand s, Coat coat, Light light, vec3 base, float t, vec3 to
     float lit = min(max(2.5f * dot(s.normal, light.toKey) + 0.5f, 0.0f), 1.0f);
     float key = light.key * lit * keyThroughCoat(depth, s.normal, tangent, light.toKey);
     float diffuse = 0.5f * (sinL + max(0.0f, dot(shading, light.toKey)));
-    float specular = pow(max(0.0f, sinL * sinV - cosL * cosV), coat.shininess);
+    float facing = max(0.0f, dot(shading, safeUnit(light.toKey + toEye, shading)));
+    float specular = facing * pow(max(0.0f, sinL * sinV - cosL * cosV), coat.shininess);
 
     vec3 color = s.tone * base * mix(coat.rootColor, coat.tipColor, t);
     vec3 ambient = skyThroughCoat(depth) * skyLight(light, s.normal);
@@ -71,12 +73,14 @@ vec3 fiberRadiance(Strand s, Coat coat, Light light, vec3 base, float t, vec3 to
            (key * specular) * coat.specular;
 }
 
-// Radiance of the bare skin between the hairs: under the entire coat.
-vec3 skinRadiance(Light light, vec3 base, vec3 n, float depth) {
+// Radiance of the skin between the hairs, under the entire coat. Where the coat is dense the short
+// hairs that nobody draws cover it: it takes the color of the undercoat's roots.
+vec3 skinRadiance(Light light, Coat under, vec3 base, vec3 n, float depth) {
     float lit = max(0.0f, dot(n, light.toKey));
-    float key = light.key * lit * keyThroughCoat(depth, n, n, light.toKey);
-    // Seen along the normal the slant of an upright hair is 0: skin also lies in the shade of
-    // hairs that lean, so the sky's share bounds the key's.
-    float open = skyThroughCoat(depth);
-    return base * (open * skyLight(light, n) + min(key, light.key * open));
+    // As if hairs lean: straight light along upright hairs would reach the skin unhindered.
+    float slant = max(sineBetween(n, light.toKey) / max(lit, 0.05f), 0.7f);
+    float key = light.key * lit * exp(-kStraightShare * depth * slant);
+    float covered = 1.0f - exp(-depth);
+    vec3 color = base * mix(vec3(1.0f, 1.0f, 1.0f), under.rootColor, covered);
+    return color * (skyThroughCoat(depth) * skyLight(light, n) + vec3(key, key, key));
 }

@@ -19,7 +19,7 @@ void main() {
     float depth = frame.overlay != 0u ? 0.0
                                       : depthInCoat(fur, frame.hairsPerArea * f.density, f.furLength,
                                                     frame.overWidth, frame.underWidth, 0u, 0.0);
-    shade = skinRadiance(frame.light, unpackUnorm4x8(corner.color).rgb, n, depth);
+    shade = skinRadiance(frame.light, fur.under, unpackUnorm4x8(corner.color).rgb, n, depth);
     field = frame.overlay == 1u   ? f.furLength
             : frame.overlay == 2u ? f.density
             : frame.overlay == 3u ? length(f.direction)

@@ -61,7 +61,7 @@ Light studioLight(const Camera& camera) {
     Light light;
     const vec3 toEye(std::sin(camera.yaw), 0.0f, std::cos(camera.yaw));
     light.toKey = glm::normalize(-0.55f * camera.right() + vec3(0.0f, 0.85f, 0.0f) + 0.6f * toEye);
-    light.key = 1.9f;
+    light.key = 1.45f;
     light.sky = vec3(0.62f, 0.68f, 0.78f);
     light.ground = vec3(0.26f, 0.23f, 0.20f);
     return light;
@@ -116,7 +116,7 @@ struct Renderer::Parts {
 };
 
 mat4 Renderer::Parts::viewProjection(const Document& document, const View& view) const {
-    const float radius = 0.5f * document.skin->size() + mirror.longestHair();
+    const float radius = document.skin->radius + mirror.longestHair();
     const float aspect = static_cast<float>(view.size.x) / static_cast<float>(view.size.y);
     return view.camera.projection(aspect, document.skin->center(), radius) * view.camera.view();
 }
