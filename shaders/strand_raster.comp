@@ -29,6 +29,7 @@ layout(std430, binding = 9) buffer Jobs { Job jobs[]; };
 layout(std430, binding = 10) buffer Counters { uint drawn; };
 layout(binding = 1) uniform sampler2D skinDepth;
 #ifndef DEPTH_PASS
+layout(std430, binding = 6) readonly buffer Mask { float mask[]; };
 layout(rgba16f, binding = 0) writeonly uniform image2D picture;
 #endif
 
@@ -127,9 +128,10 @@ void main() {
     atomicAdd(drawn, 1u);
     atomicOr(jobs[group].seen, 1u << lane);
 #else
-    vec3 field = frame.overlay == 1u ? vec3(furVertices[t.x].furLength, furVertices[t.y].furLength,
-                                            furVertices[t.z].furLength)
-                                     : density;
+    vec3 field = density;
+    if (frame.overlay == 1u)
+        field = vec3(furVertices[t.x].furLength, furVertices[t.y].furLength, furVertices[t.z].furLength);
+    if (frame.overlay == 4u) field = vec3(mask[t.x], mask[t.y], mask[t.z]);
     vec3 base = colorAtRoot(root, weights, field);
     float perArea = frame.hairsPerArea * keep;
     float painted = s.spineLength / max(over ? fur.over.relativeLength : fur.under.relativeLength, 1e-6);
