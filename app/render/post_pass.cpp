@@ -60,7 +60,10 @@ void PostPass::display(int samples, const gl::Texture& only, std::span<const Ove
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     lines_.use();
     glProgramUniformMatrix4fv(lines_.name(), 0, 1, GL_FALSE, &viewProjection[0].x);
+    // Near and far are those of the fur; rings and arrows may stick out of it.
+    glEnable(GL_DEPTH_CLAMP);
     glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(2 * lines.size()));
+    glDisable(GL_DEPTH_CLAMP);
     glDisable(GL_BLEND);
 }
 
