@@ -33,4 +33,18 @@ inline std::vector<std::byte> twoColorPng(ivec2 size, glm::ivec3 left, glm::ivec
     return pngOf(size, rgba);
 }
 
+// Quarters: red and blue above, green and black below.
+inline std::vector<std::byte> quartersPng(int side) {
+    std::vector<unsigned char> rgba;
+    const auto full = [](bool on) { return static_cast<unsigned char>(on ? 255 : 0); };
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            const bool left = x < side / 2, above = y < side / 2;
+            rgba.insert(rgba.end(),
+                        {full(left && above), full(left && !above), full(!left && above), 255});
+        }
+    }
+    return pngOf(ivec2(side), rgba);
+}
+
 }  // namespace pelage::test
