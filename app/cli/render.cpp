@@ -22,6 +22,8 @@ struct Options {
     std::optional<float> distance;     // m
     float yaw = 35.0f, pitch = 12.0f;  // degrees
     int samples = 16, repeat = 3;
+    bool allHairs = false;
+    float budget = 0.0f;  // ms
 };
 
 // "900x600" as pixels; nothing where it is not two numbers of [1, kMaxSide].
@@ -63,6 +65,8 @@ View viewOf(const Document& document, const Options& options) {
     view.samples = options.samples;
     view.camera =
         framedCamera(document, glm::radians(options.yaw), glm::radians(options.pitch), view.size);
+    view.cullByDistance = !options.allHairs;
+    view.budget = 1e-3f * options.budget;
     if (options.distance) view.camera.distance = *options.distance;
     return view;
 }
@@ -150,6 +154,13 @@ void addRender(CLI::App& app, bool& json) {
         ->type_name("N")
         ->capture_default_str()
         ->check(CLI::Range(1, 10000));
+    verb->add_flag("--all-hairs", options->allHairs,
+                   "Draw hairs thinner than a pixel too; without it fewer and wider ones far away");
+    verb->add_option("--budget", options->budget,
+                     "ms that a frame may take, as while painting; 0 is no bound")
+        ->type_name("MS")
+        ->capture_default_str()
+        ->check(between(0.0f, 1e6f));
     addJsonFlag(*verb, json);
     verb->callback([options, &json] { render(*options, json); });
 }

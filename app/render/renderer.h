@@ -36,7 +36,7 @@ struct View {
 
 struct FrameStats {
     std::size_t hairsTotal = 0;  // that grow at density 1
-    std::size_t hairsDrawn = 0;  // that were shaped and rasterised in the last sample
+    std::size_t hairsDrawn = 0;  // that the skin did not hide in the last sample
     double seconds = 0.0;        // of the last sample, to the end of the GPU's work
     int samples = 0;             // averaged in the picture so far
     bool finished = false;       // nothing will change unless document or view do
