@@ -71,10 +71,10 @@ Light studioLight(const Camera& camera) {
 struct CostModel {
     double perHair = 1e-6, rest = 0.02;  // s
 
-    void learnStrands(std::size_t hairs, double seconds) {
-        if (hairs > 1000) perHair += 0.5 * (seconds / static_cast<double>(hairs) - perHair);
+    void learn(std::size_t hairs, double strands, double others) {
+        if (hairs > 1000) perHair += 0.5 * (strands / static_cast<double>(hairs) - perHair);
+        rest += 0.5 * (others - rest);
     }
-    void learnRest(double seconds) { rest += 0.5 * (seconds - rest); }
     float share(float budget, std::size_t hairs) const {
         const double room = std::max(budget - rest, 0.15 * budget);
         return static_cast<float>(room / (perHair * static_cast<double>(std::max<std::size_t>(hairs, 1))));
@@ -136,7 +136,8 @@ struct Renderer::Parts {
 
     FrameData frameData(const Document& document, const View& view, int sample) const;
     void drawSkin(const FrameData& frame, const View& view);
-    void drawStrands(const Document& document, const View& view, const FrameData& frame);
+    // Returns the number of hairs that were tried; with a budget it waits for the GPU.
+    std::size_t drawStrands(const Document& document, const View& view, const FrameData& frame);
     mat4 viewProjection(const Document& document, const View& view) const;
 };
 
@@ -194,8 +195,8 @@ void Renderer::Parts::drawSkin(const FrameData& frame, const View& view) {
     if (view.showSkin) skinPass.draw(mirror);
 }
 
-void Renderer::Parts::drawStrands(const Document& document, const View& view,
-                                  const FrameData& frame) {
+std::size_t Renderer::Parts::drawStrands(const Document& document, const View& view,
+                                         const FrameData& frame) {
     const Fur& fur = document.fur;
     const float meanWidth = fur.share * frame.overWidth + (1.0f - fur.share) * frame.underWidth;
     float share = std::clamp(view.share, 0.0f, 1.0f);
@@ -211,12 +212,9 @@ void Renderer::Parts::drawStrands(const Document& document, const View& view,
     FrameData withJobs = frame;
     withJobs.jobs = static_cast<uint>(strands.jobs.size());
     frameBlock.upload(std::span<const FrameData>(&withJobs, 1));
-    const auto start = Clock::now();
     strandPass.draw(mirror, withJobs, strands, frameBlock, color, depth);
-    if (view.budget > 0.0f) {
-        glFinish();
-        cost.learnStrands(strands.hairs, secondsSince(start));
-    }
+    if (view.budget > 0.0f) glFinish();
+    return strands.hairs;
 }
 
 Renderer::Renderer() {
@@ -245,16 +243,17 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
     if (p.samples < wanted) {
         const FrameData frame = p.frameData(document, view, p.samples);
         p.drawSkin(frame, view);
-        if (view.budget > 0.0f) {
-            glFinish();
-            p.cost.learnRest(secondsSince(start));
-        }
-        p.drawStrands(document, view, frame);
+        // The parts of a frame can only be told apart where each waits for the one before.
+        if (view.budget > 0.0f) glFinish();
+        const auto strandStart = Clock::now();
+        const std::size_t tried = p.drawStrands(document, view, frame);
+        const double strandSeconds = secondsSince(strandStart);
         if (!single) p.postPass.accumulate(p.color, p.samples == 0);
         ++p.samples;
         p.postPass.display(p.samples, p.color, view.lines, p.viewProjection(document, view), p.depth);
         glFinish();
         p.stats.seconds = secondsSince(start);
+        if (view.budget > 0.0f) p.cost.learn(tried, strandSeconds, p.stats.seconds - strandSeconds);
         p.stats.hairsTotal = p.mirror.roots().roots.size();
         p.stats.hairsDrawn = p.strandPass.hairsDrawn();
         p.stats.samples = p.samples;

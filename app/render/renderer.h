@@ -26,7 +26,7 @@ struct View {
     bool showSkin = true, showOver = true, showUnder = true;
     uint segments = 8;         // of a hair, [1, 16]
     bool cullByDistance = true;  // van Gelder and Wilhelms 1997, 3.3: hairs ~ 1/distance
-    float share = 1.0f;        // upper bound of the share of the hairs that is drawn, (0,1]
+    float share = 1.0f;        // of the hairs that the distance leaves, the share drawn, (0,1]
     float budget = 0.0f;       // s per frame; 0 = no bound. With a bound share is lowered to fit
     int samples = 1;           // frames that the still picture averages, [1, 1024]
     vec3 background{0.58f, 0.63f, 0.69f};  // linear RGB

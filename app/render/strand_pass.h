@@ -22,7 +22,7 @@ struct StrandPlan {
 };
 
 // Leaves out clusters outside the view, and of the others all hairs beyond the share that is
-// wanted: `share`, and with `byDistance` the paper's rule, hairs as long as they are a pixel wide.
+// wanted: `share`, times the paper's rule with `byDistance`: as many as are a pixel wide.
 // `reach` is the length of the longest hair, m.
 StrandPlan planStrands(const Roots& roots, const FrameData& frame, float rootWidth, float reach,
                        float share, bool byDistance);

@@ -45,7 +45,7 @@ StrandPlan planStrands(const Roots& roots, const FrameData& frame, float rootWid
                 frame.perspective > 0.0f
                     ? std::max(glm::dot(cluster.center - frame.eye, frame.forward), 1e-6f)
                     : 1.0f;
-            lod = std::min(lod, rootWidth * frame.pixelsPerMetre / distance);
+            lod *= std::min(1.0f, rootWidth * frame.pixelsPerMetre / distance);
         }
         lod = std::clamp(lod, kLeastShare, 1.0f);
         const float fade = std::min(1.0f, lod * (1.0f + 0.5f * kFadeWindow));
