@@ -73,9 +73,8 @@ TEST(Plan, ShareScalesTheCounts) {
                     10.0 * static_cast<double>(share), 1e-2)
             << share;
     EXPECT_EQ(hairsAt(0.5f * pixelDistance(), 1.0f), kRoots);
-    // The smaller of the two shares counts.
-    EXPECT_EQ(hairsAt(10.0f * pixelDistance(), 0.5f), hairsAt(10.0f * pixelDistance()));
-    EXPECT_EQ(hairsAt(2.0f * pixelDistance(), 0.1f), hairsAt(0.5f * pixelDistance(), 0.1f));
+    // It multiplies what the distance leaves.
+    EXPECT_EQ(hairsAt(2.0f * pixelDistance(), 0.2f), hairsAt(0.5f * pixelDistance(), 0.1f));
 }
 
 TEST(Plan, ClustersOutsideTheViewAreLeftOut) {
