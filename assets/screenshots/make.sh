@@ -10,10 +10,10 @@ cd "$here"
 picture() {
     "$program" render --size 1000x750 --samples 64 --repeat 1 -o "$1" "${@:2}"
 }
-picture animal.png --animal 100000 --yaw 40 --pitch 12
-picture close-up.png --animal 100000 --yaw 70 --pitch 15 --distance 0.9
+picture animal.png --animal 100000 --yaw 40 --pitch 12 --distance 1.65
+picture close-up.png --animal 100000 --yaw 50 --pitch 15 --distance 0.75
 if [ -f "$meshes/stanford-bunny.obj" ]; then
-    picture bunny.png --preset rabbit --yaw 15 --pitch 10 -- "$meshes/stanford-bunny.obj"
+    picture bunny.png --hairs 300000 --yaw -20 --pitch 10 -- "$meshes/stanford-bunny.obj"
 fi
 if [ -f "$meshes/Fox.glb" ]; then
     picture fox.png --yaw 50 --pitch 10 -- "$meshes/Fox.glb"
