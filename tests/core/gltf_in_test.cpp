@@ -237,30 +237,8 @@ TEST(GltfIn, DefaultMorphWeightsMoveTheVertices) {
     EXPECT_EQ(readGltf(maker.glb(), "").positions[0], vec3(8, 0, 0));
 }
 
-// A triangle held by two joints: vertex 0 by the first, vertex 1 by the second, vertex 2 by both.
-GltfMaker skinned() {
-    GltfMaker maker = GltfMaker::triangle();
-    maker.primitive()["attributes"]["JOINTS_0"] =
-        maker.add<std::uint8_t>({0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, "VEC4", kUnsignedByte);
-    maker.primitive()["attributes"]["WEIGHTS_0"] =
-        maker.add<float>({1, 0, 0, 0, 2, 0, 0, 0, 1, 3, 0, 0}, "VEC4", kFloat);
-    const int inverse = maker.add<float>({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0,  0, 1,
-                                          1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1},
-                                         "MAT4", kFloat);
-    maker.json["nodes"] = {{{"mesh", 0}, {"skin", 0}, {"translation", {100, 100, 100}}},
-                           {{"name", "hip"}, {"children", {2, 3}}, {"translation", {0, 0, 5}}},
-                           {{"name", "neck"}, {"children", {4}}, {"translation", {0, 1, 0}}},
-                           {{"name", "tail"}, {"translation", {0, 0, -2}}},
-                           {{"name", "Head"}, {"translation", {0, 1, 0}}}};
-    maker.json["scenes"] = {{{"nodes", {0, 1}}}};
-    maker.json["skins"] = {{{"joints", {1, 2, 3, 4}}, {"inverseBindMatrices", inverse}}};
-    maker.json["accessors"].back()["count"] = 2;
-    maker.json["skins"][0]["joints"] = {1, 2};
-    return maker;
-}
-
 TEST(GltfSkin, RestPoseIsTheWeightedSumOfJointsWhereverTheNodeStands) {
-    const Source source = readGltf(skinned().glb(), "");
+    const Source source = readGltf(GltfMaker::skinned().glb(), "");
     ASSERT_EQ(source.vertexToWorld.size(), 3u);
     EXPECT_EQ(source.vertexToWorld[0][3], vec4(0, 0, 5, 1));
     EXPECT_EQ(source.vertexToWorld[1][3], vec4(0, 0, 5, 1));  // a weight of 2 counts as 1
@@ -269,7 +247,7 @@ TEST(GltfSkin, RestPoseIsTheWeightedSumOfJointsWhereverTheNodeStands) {
 }
 
 TEST(GltfSkin, VerticesBelongToTheSegmentOfTheirDominantJoint) {
-    const Source source = readGltf(skinned().glb(), "");
+    const Source source = readGltf(GltfMaker::skinned().glb(), "");
     ASSERT_EQ(source.segments.size(), 2u);
     EXPECT_EQ(source.segments[source.segmentOf[0]].name, "hip");
     EXPECT_EQ(source.segments[source.segmentOf[1]].name, "neck");
@@ -280,7 +258,7 @@ TEST(GltfSkin, VerticesBelongToTheSegmentOfTheirDominantJoint) {
 }
 
 TEST(GltfSkin, SegmentsLieFromTheHeadToTheTail) {
-    GltfMaker maker = skinned();
+    GltfMaker maker = GltfMaker::skinned();
     maker.json["skins"][0].erase("inverseBindMatrices");
     maker.json["skins"][0]["joints"] = {1, 2, 3, 4};
     const Source source = readGltf(maker.glb(), "");
@@ -290,7 +268,7 @@ TEST(GltfSkin, SegmentsLieFromTheHeadToTheTail) {
 }
 
 TEST(GltfSkin, FurtherSetsOfJointsCount) {
-    GltfMaker maker = skinned();
+    GltfMaker maker = GltfMaker::skinned();
     maker.primitive()["attributes"]["JOINTS_1"] =
         maker.add<std::uint16_t>({1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, "VEC4", kUnsignedShort);
     maker.primitive()["attributes"]["WEIGHTS_1"] = maker.add<std::uint8_t>(

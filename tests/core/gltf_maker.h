@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <string>
 #include <vector>
+
+#include "gltf_bytes.h"
+#include "reading.h"
 
 namespace pelage::test {
 
@@ -31,8 +31,8 @@ struct GltfMaker {
         const std::size_t size = values.size() * sizeof(T);
         json["bufferViews"].push_back(
             {{"buffer", 0}, {"byteOffset", bin.size()}, {"byteLength", size}});
-        const auto* first = reinterpret_cast<const std::byte*>(values.data());
-        bin.insert(bin.end(), first, first + size);
+        const auto bytes = test::bytesOf(values);
+        bin.insert(bin.end(), bytes.begin(), bytes.end());
         return static_cast<int>(json["bufferViews"].size()) - 1;
     }
 
@@ -74,69 +74,43 @@ struct GltfMaker {
         return maker;
     }
 
+    // A triangle held by two joints: vertex 0 by the first, vertex 1 by the second, vertex 2 by
+    // both.
+    static GltfMaker skinned() {
+        GltfMaker maker = triangle();
+        maker.primitive()["attributes"]["JOINTS_0"] =
+            maker.add<std::uint8_t>({0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, "VEC4", 5121);
+        maker.primitive()["attributes"]["WEIGHTS_0"] =
+            maker.add<float>({1, 0, 0, 0, 2, 0, 0, 0, 1, 3, 0, 0}, "VEC4", 5126);
+        const int inverse = maker.add<float>({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0,  0, 1,
+                                              1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1},
+                                             "MAT4", 5126);
+        maker.json["nodes"] = {{{"mesh", 0}, {"skin", 0}, {"translation", {100, 100, 100}}},
+                               {{"name", "hip"}, {"children", {2, 3}}, {"translation", {0, 0, 5}}},
+                               {{"name", "neck"}, {"children", {4}}, {"translation", {0, 1, 0}}},
+                               {{"name", "tail"}, {"translation", {0, 0, -2}}},
+                               {{"name", "Head"}, {"translation", {0, 1, 0}}}};
+        maker.json["scenes"] = {{{"nodes", {0, 1}}}};
+        maker.json["skins"] = {{{"joints", {1, 2}}, {"inverseBindMatrices", inverse}}};
+        return maker;
+    }
+
     // The first primitive, which tests like to spoil.
     nlohmann::json& primitive() { return json["meshes"][0]["primitives"][0]; }
 
     std::vector<std::byte> glb() const {
         nlohmann::json withBuffer = json;
-        std::vector<std::byte> content = bin;
-        content.resize((content.size() + 3) / 4 * 4);
-        if (json["buffers"].empty() && !content.empty())
+        if (json["buffers"].empty() && !bin.empty())
             withBuffer["buffers"] = {{{"byteLength", bin.size()}}};
         if (withBuffer["buffers"].empty()) withBuffer.erase("buffers");
-        return container(withBuffer.dump(), content);
+        return putTogether(withBuffer.dump(), bin);
     }
 
     // A .gltf whose buffer is a data URI.
     std::vector<std::byte> gltf() const {
         nlohmann::json withBuffer = json;
-        withBuffer["buffers"] = {{{"byteLength", bin.size()},
-                                  {"uri", "data:application/octet-stream;base64," + base64(bin)}}};
+        withBuffer["buffers"] = {{{"byteLength", bin.size()}, {"uri", dataUri(bin)}}};
         return bytesOf(withBuffer.dump());
-    }
-
-    static std::vector<std::byte> bytesOf(const std::string& text) {
-        const auto* first = reinterpret_cast<const std::byte*>(text.data());
-        return {first, first + text.size()};
-    }
-
-    // A .glb of any text and binary chunk (none when empty).
-    static std::vector<std::byte> container(std::string text, std::vector<std::byte> content) {
-        text.resize((text.size() + 3) / 4 * 4, ' ');
-        std::vector<std::byte> out;
-        const auto word = [&](std::uint32_t value) {
-            for (int i = 0; i < 4; ++i)
-                out.push_back(static_cast<std::byte>(value >> (8 * i) & 0xff));
-        };
-        const std::size_t size = 20 + text.size() + (content.empty() ? 0 : 8 + content.size());
-        word(0x46546c67);
-        word(2);
-        word(static_cast<std::uint32_t>(size));
-        word(static_cast<std::uint32_t>(text.size()));
-        word(0x4e4f534a);
-        for (const char c : text) out.push_back(static_cast<std::byte>(c));
-        if (content.empty()) return out;
-        word(static_cast<std::uint32_t>(content.size()));
-        word(0x004e4942);
-        out.insert(out.end(), content.begin(), content.end());
-        return out;
-    }
-
-    static std::string base64(std::span<const std::byte> bytes) {
-        constexpr const char* kDigits =
-            "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-        std::string out;
-        for (std::size_t i = 0; i < bytes.size(); i += 3) {
-            std::uint32_t bits = 0;
-            for (std::size_t k = 0; k < 3; ++k) {
-                bits = bits << 8 |
-                       (i + k < bytes.size() ? std::to_integer<std::uint32_t>(bytes[i + k]) : 0u);
-            }
-            for (std::size_t k = 0; k < 4; ++k) {
-                out += i + k > bytes.size() ? '=' : kDigits[bits >> (18 - 6 * k) & 63];
-            }
-        }
-        return out;
     }
 };
 

@@ -2,59 +2,23 @@
 #include "core/gltf_out.h"
 
 #include <cmath>
+#include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include "core/animal.h"
 #include "core/files.h"
 #include "core/gltf_carried.h"
 #include "core/gltf_carry.h"
-#include "core/gltf_in.h"
-#include "core/strand.h"
 #include "gltf_samples.h"
 #include "gtest/gtest.h"
+#include "painted.h"
+#include "reading.h"
 
 namespace pelage {
 namespace {
 
 namespace fs = std::filesystem;
 using namespace test;
-
-Document opened(std::span<const std::byte> bytes) {
-    return openDocument(readGltf(bytes, "test.glb", nullptr));
-}
-
-// Another value at each vertex, with all fraction bits in use.
-void paint(Document& document, uint salt = 0) {
-    for (uint v = 0; v < document.groom.fur.size(); ++v) {
-        FurVertex& fur = document.groom.fur.edit(v);
-        const auto draw = [&](uint k) { return rand01(pcg(v * 8 + k + salt * 1000003)); };
-        fur.furLength = draw(0);
-        fur.density = draw(1);
-        fur.direction = (2.0f * vec3(draw(2), draw(3), draw(4)) - 1.0f) / std::sqrt(3.0f);
-    }
-    applyPreset(document.fur, presets()[salt % presets().size()]);
-    document.fur.seed = 77 + salt;
-}
-
-Document painted(std::span<const std::byte> bytes) {
-    Document document = opened(bytes);
-    paint(document);
-    return document;
-}
-
-void expectSameFields(const Document& a, const Document& b) {
-    ASSERT_EQ(a.groom.fur.size(), b.groom.fur.size());
-    std::size_t different = 0;
-    for (std::size_t v = 0; v < a.groom.fur.size(); ++v) {
-        const FurVertex &x = a.groom.fur[v], &y = b.groom.fur[v];
-        different += std::memcmp(&x.furLength, &y.furLength, sizeof(float)) != 0;
-        different += std::memcmp(&x.density, &y.density, sizeof(float)) != 0;
-        different += std::memcmp(&x.direction, &y.direction, sizeof(vec3)) != 0;
-    }
-    EXPECT_EQ(different, 0u);
-    EXPECT_EQ(furToJson(a.fur), furToJson(b.fur));
-}
 
 template <typename T>
 bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
@@ -99,34 +63,6 @@ void takeAway(OrderedJson& json, const OrderedJson& before) {
     for (const char* list : {"accessors", "bufferViews"})
         while (json[list].size() > before[list].size()) json[list].erase(json[list].size() - 1);
 }
-
-std::string sharedMesh(const std::string& name) {
-    return std::string(PELAGE_SHARED_DIR) + "/meshes/" + name;
-}
-
-// An empty folder that is removed at the end.
-struct Folder {
-    fs::path path = fs::temp_directory_path() /
-                    ("pelage-gltf-out-" +
-                     std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    Folder() {
-        fs::remove_all(path);
-        fs::create_directories(path);
-    }
-    ~Folder() { fs::remove_all(path); }
-    std::string put(const std::string& name, std::span<const std::byte> bytes) const {
-        std::ofstream(path / name, std::ios::binary)
-            .write(reinterpret_cast<const char*>(bytes.data()),
-                   static_cast<std::streamsize>(bytes.size()));
-        return (path / name).string();
-    }
-};
-
-// Text from (0,0) to (1,1) as a sheet of two triangles, one with a corner twice.
-const char* const kObj =
-    "v 0 0 0\nv 0.1 0 0\nv 0.1 0.3 0\nv 0 0.3 0\nv 9 9 9\n"
-    "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
-    "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\nf 1/1 2/2 2/2\n";
 
 TEST(GltfOut, OpeningItRestoresTheFieldsBitForBit) { expectRoundTrip(painted(crowdedFile())); }
 
@@ -335,22 +271,21 @@ TEST(GltfOut, MirrorStartsLaterWhereTheSetsAreTaken) {
 }
 
 TEST(GltfOut, ExternalBuffersAndPicturesAreEmbedded) {
-    const Folder folder;
+    const TempFolder folder;
     const auto buffers = crowdedBuffers();
     OrderedJson json = crowdedGltf({"a.bin", "b.bin", "c.bin"});
     json["images"][0]["uri"] = "fell.png";
-    const std::string text = json.dump(1);
-    folder.put("a.bin", buffers[0]);
-    folder.put("b.bin", buffers[1]);
-    folder.put("c.bin", buffers[2]);
-    folder.put("fell.png", pictureBytes());
-    const std::string path = folder.put("crowded.gltf", std::as_bytes(std::span(text)));
+    folder.write("a.bin", buffers[0]);
+    folder.write("b.bin", buffers[1]);
+    folder.write("c.bin", buffers[2]);
+    folder.write("fell.png", pictureBytes());
+    const std::string path = folder.write("crowded.gltf", json.dump(1));
     Document document = openDocument(readSource(path));
     paint(document);
 
-    const std::string output = (folder.path / "out.glb").string();
+    const std::string output = folder.path("out.glb");
     writeGroomedGlb(document, output);
-    for (const char* name : {"a.bin", "b.bin", "c.bin", "fell.png"}) fs::remove(folder.path / name);
+    for (const char* name : {"a.bin", "b.bin", "c.bin", "fell.png"}) fs::remove(folder.path(name));
     const Document again = openDocument(readSource(output));
     expectSameFields(document, again);
     expectSameSource(*document.skin->source, *again.skin->source);
@@ -361,11 +296,7 @@ TEST(GltfOut, ExternalBuffersAndPicturesAreEmbedded) {
 }
 
 TEST(GltfOut, OtherSourcesBecomeOneMeshWithTheirVerticesInOrder) {
-    const Folder folder;
-    const std::string path =
-        folder.put("sheet.obj", std::as_bytes(std::span(kObj, std::strlen(kObj))));
-    Document document = openDocument(readSource(path));
-    paint(document);
+    const Document document = paintedObj();
     expectRoundTrip(document);
     const OrderedJson json = takeApart(groomedGlb(document)).json;
     EXPECT_EQ(json["meshes"].size(), 1u);
@@ -395,7 +326,7 @@ TEST(GltfOut, BuiltInAnimalComesBackWithItsSegments) {
 
 TEST(GltfOut, FoxKeepsJointsAnimationsAndTheirData) {
     const std::string path = sharedMesh("Fox.glb");
-    if (!fs::exists(path)) GTEST_SKIP() << path << " is not there";
+    if (path.empty()) GTEST_SKIP() << "Fox.glb is not there";
     const Glb before = takeApart(readFile(path, 1 << 24));
     Document document = openDocument(readSource(path));
     paint(document);
@@ -415,9 +346,10 @@ TEST(GltfOut, FoxKeepsJointsAnimationsAndTheirData) {
 TEST(GltfOut, SharedMeshesComeBackBitForBit) {
     for (const char* name : {"stanford-bunny.obj", "teapot.obj", "teapot-2204.glb", "suzanne.obj",
                              "spot.obj", "Fox.glb"}) {
-        if (!fs::exists(sharedMesh(name))) GTEST_SKIP() << sharedMesh(name) << " is not there";
+        const std::string path = sharedMesh(name);
+        if (path.empty()) GTEST_SKIP() << name << " is not there";
         SCOPED_TRACE(name);
-        Document document = openDocument(readSource(sharedMesh(name)));
+        Document document = openDocument(readSource(path));
         paint(document);
         const auto bytes = groomedGlb(document);
         const Document again = opened(bytes);
@@ -429,10 +361,10 @@ TEST(GltfOut, SharedMeshesComeBackBitForBit) {
 }
 
 TEST(GltfOut, CancelledWorkThrowsAndWritesNothing) {
-    const Folder folder;
+    const TempFolder folder;
     Progress progress;
     progress.cancel = true;
-    const std::string path = (folder.path / "out.glb").string();
+    const std::string path = folder.path("out.glb");
     EXPECT_THROW(writeGroomedGlb(groomedAnimal(2000), path, {}, &progress), Cancelled);
     EXPECT_FALSE(fs::exists(path));
 }

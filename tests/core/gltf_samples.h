@@ -1,56 +1,14 @@
-// gltf_samples.h -- small glTF files made by code, and a .glb taken apart, for tests of the writer.
+// gltf_samples.h -- a small glTF that has something of everything, for tests of the writer.
 #pragma once
 
-#include <cstdint>
 #include <cstring>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "core/types.h"
+#include "gltf_bytes.h"
 
 namespace pelage::test {
-
-using OrderedJson = nlohmann::ordered_json;
-
-struct Glb {
-    OrderedJson json;
-    std::vector<std::byte> bin;
-};
-
-inline std::uint32_t wordAt(std::span<const std::byte> bytes, std::size_t offset) {
-    std::uint32_t word = 0;
-    std::memcpy(&word, bytes.subspan(offset, 4).data(), 4);
-    return word;
-}
-
-inline Glb takeApart(std::span<const std::byte> file) {
-    const std::size_t json = wordAt(file, 12);
-    const auto* text = reinterpret_cast<const char*>(file.data()) + 20;
-    Glb glb{OrderedJson::parse(text, text + json), {}};
-    if (file.size() > 20 + json) {
-        const auto bin = file.subspan(28 + json, wordAt(file, 20 + json));
-        glb.bin.assign(bin.begin(), bin.end());
-    }
-    return glb;
-}
-
-inline std::vector<std::byte> putTogether(const Glb& glb) {
-    std::string json = glb.json.dump();
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-    std::vector<std::byte> out;
-    const auto word = [&](std::size_t value) {
-        for (int shift = 0; shift < 32; shift += 8)
-            out.push_back(static_cast<std::byte>((value >> shift) & 0xFFu));
-    };
-    word(0x46546C67), word(2), word(28 + json.size() + glb.bin.size());
-    word(json.size()), word(0x4E4F534A);
-    for (const char c : json) out.push_back(static_cast<std::byte>(c));
-    word(glb.bin.size()), word(0x004E4942);
-    out.insert(out.end(), glb.bin.begin(), glb.bin.end());
-    return out;
-}
 
 // Float values of an accessor with a view of its own or a packed part of one.
 inline std::vector<float> floatsOf(const Glb& glb, std::size_t accessor) {
@@ -63,26 +21,6 @@ inline std::vector<float> floatsOf(const Glb& glb, std::size_t accessor) {
                 glb.bin.data() + view.value("byteOffset", 0u) + a.value("byteOffset", 0u),
                 values.size() * sizeof(float));
     return values;
-}
-
-inline std::string base64(std::span<const std::byte> bytes) {
-    constexpr const char* kDigits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t three = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            three = three << 8 |
-                    (i + k < bytes.size() ? std::to_integer<std::uint32_t>(bytes[i + k]) : 0u);
-        for (std::size_t k = 0; k < 4; ++k)
-            out += i + k > bytes.size() ? '=' : kDigits[three >> (18 - 6 * k) & 63];
-    }
-    return out;
-}
-
-inline std::vector<std::byte> bytesOf(const std::vector<float>& values) {
-    const auto bytes = std::as_bytes(std::span(values));
-    return {bytes.begin(), bytes.end()};
 }
 
 // The smallest PNG signature that a reader takes for a picture.
@@ -148,17 +86,16 @@ inline OrderedJson crowdedGltf(const std::vector<std::string>& uris) {
 
 // Contents of the three buffers.
 inline std::vector<std::vector<std::byte>> crowdedBuffers() {
-    auto first = bytesOf({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    auto first = bytesOf<float>({0, 0, 0, 1, 0, 0, 0, 1, 0});
     first.push_back(std::byte{0x7F});
-    return {first, bytesOf({0, 0, 0.25f, 0, 0, 0, 0, 0, 0}),
-            bytesOf({9, 0.5f, 1.5f, 2.5f, 0, 0, 1, 0, 0, 1})};
+    return {first, bytesOf<float>({0, 0, 0.25f, 0, 0, 0, 0, 0, 0}),
+            bytesOf<float>({9, 0.5f, 1.5f, 2.5f, 0, 0, 1, 0, 0, 1})};
 }
 
 // The same with its buffers as data URIs, as the text of a .gltf.
 inline std::vector<std::byte> crowdedFile(const OrderedJson& change = OrderedJson::object()) {
     std::vector<std::string> uris;
-    for (const auto& buffer : crowdedBuffers())
-        uris.push_back("data:application/octet-stream;base64," + base64(buffer));
+    for (const auto& buffer : crowdedBuffers()) uris.push_back(dataUri(buffer));
     OrderedJson json = crowdedGltf(uris);
     json = json.patch(change.is_array() ? change : OrderedJson::array());
     const std::string text = json.dump();

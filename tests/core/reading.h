@@ -67,7 +67,7 @@ private:
     std::filesystem::path path_;
 };
 
-// A mesh beside the repository, or an empty path with a message when it is not there.
+// A mesh beside the repository, or an empty path when it is not there.
 inline std::string sharedMesh(const std::string& name) {
     const std::string path = std::string(PELAGE_SHARED_DIR) + "/meshes/" + name;
     return std::filesystem::exists(path) ? path : std::string();
