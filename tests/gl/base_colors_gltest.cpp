@@ -107,6 +107,40 @@ TEST(BaseColors, PicturesOfSeveralSizesAreScaledToTheLargest) {
     expectEncoded(seen[2], kTeal);
 }
 
+TEST(BaseColors, ManyLargePicturesShareABoundedArray) {
+    const auto large = test::twoColorPng(ivec2(1024), kOrange, kTeal);
+    const BaseColors colors =
+        makeBaseColors(withImages(std::vector<std::vector<std::byte>>(100, large)));
+    GLint size[3];
+    glGetTextureLevelParameteriv(colors.texture.name(), 0, GL_TEXTURE_WIDTH, &size[0]);
+    glGetTextureLevelParameteriv(colors.texture.name(), 0, GL_TEXTURE_HEIGHT, &size[1]);
+    glGetTextureLevelParameteriv(colors.texture.name(), 0, GL_TEXTURE_DEPTH, &size[2]);
+    EXPECT_LE(size[0] * size[1] * size[2] * 4, 1 << 28);
+    const auto seen = sampled(colors, {{0.2f, 0.5f, 0, 0}, {0.8f, 0.5f, 99, 0}});
+    expectEncoded(seen[0], kOrange);
+    expectEncoded(seen[1], kTeal);
+}
+
+TEST(BaseColors, PicturesPastTheLayersCountAsWhite) {
+    const auto small = test::twoColorPng(ivec2(2), kOrange, kTeal);
+    const BaseColors colors =
+        makeBaseColors(withImages(std::vector<std::vector<std::byte>>(2100, small)));
+    EXPECT_EQ(colors.materials[2047].layer, 2047.0f);
+    EXPECT_LT(colors.materials[2048].layer, 0.0f);
+}
+
+TEST(BaseColors, AHeaderThatPromisesMoreThanItsBytesHoldCountsAsWhite) {
+    auto picture = test::twoColorPng(ivec2(2), kOrange, kTeal);
+    // Width and height, big-endian, 16384 each.
+    for (const std::size_t at : {18u, 22u}) picture[at] = std::byte{0x40};
+    for (const std::size_t at : {19u, 23u}) picture[at] = std::byte{0};
+    const BaseColors colors = makeBaseColors(withImages({picture}));
+    EXPECT_LT(colors.materials[0].layer, 0.0f);
+    GLint width = 0;
+    glGetTextureLevelParameteriv(colors.texture.name(), 0, GL_TEXTURE_WIDTH, &width);
+    EXPECT_EQ(width, 1);
+}
+
 TEST(BaseColors, NoPicturesGiveOneWhiteMaterial) {
     const BaseColors colors = makeBaseColors(Source{});
     ASSERT_EQ(colors.materials.size(), 1u);

@@ -25,7 +25,7 @@ inline View ballView(const Document& document, int side) {
     return view;
 }
 
-// A sheet of 1 m with straight white hair that lies on it in directions that vary.
+// A sheet of 1 m with straight gray hair that lies on it in directions that vary.
 inline Document lyingHair(uint hairs, Source source = sheet(8)) {
     Document document = evenDocument(std::move(source));
     for (uint v = 0; v < document.skin->vertices.size(); ++v) {
@@ -35,7 +35,7 @@ inline Document lyingHair(uint hairs, Source source = sheet(8)) {
     }
     for (Coat* coat : {&document.fur.over, &document.fur.under}) {
         *coat = Coat{};
-        coat->ambient = coat->diffuse = vec3(0.4f);
+        coat->ambient = coat->diffuse = vec3(0.2f);  // darker than white in any light
         coat->rootColor = coat->tipColor = vec3(1.0f);
         coat->stiffness = coat->directionWeight = coat->relativeLength = 1.0f;
         coat->shininess = 10.0f;

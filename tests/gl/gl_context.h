@@ -9,6 +9,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/render/gl.h"
@@ -88,24 +89,28 @@ inline std::vector<float> linear(const Pixels& pixels) {
     return values;
 }
 
-// The share of each pixel that hair covers, whatever its color: what a change of the background
-// from black to white leaves the same. Hair must be darker than white.
-inline std::vector<float> coverage(Renderer& renderer, const Document& document, View view) {
+// Pixels that hair covers, mean of `view.samples` pictures whose camera is moved by parts of a
+// pixel. Each is a single sample, in which a pixel is either hair or the background, so that the
+// eight bits of the picture do not round. Hair must not be pure green.
+inline double coveredPixels(Renderer& renderer, const Document& document, View view) {
     view.showSkin = false;
-    view.background = vec3(0.0f);
-    const std::vector<float> onBlack = linear(picture(renderer, document, view));
-    view.background = vec3(1.0f);
-    const std::vector<float> onWhite = linear(picture(renderer, document, view));
-    std::vector<float> covered;
-    for (std::size_t i = 1; i < onBlack.size(); i += 3)
-        covered.push_back(1.0f - (onWhite[i] - onBlack[i]));
-    return covered;
-}
-
-inline double sumOf(const std::vector<float>& values) {
-    double sum = 0.0;
-    for (const float value : values) sum += static_cast<double>(value);
-    return sum;
+    view.background = vec3(0.0f, 1.0f, 0.0f);
+    const float pixel = 2.0f * view.camera.distance * std::tan(0.5f * view.camera.fieldOfView) /
+                        static_cast<float>(view.size.y);
+    const vec3 target = view.camera.target;
+    const int pictures = std::exchange(view.samples, 1);
+    std::size_t covered = 0;
+    for (int i = 0; i < pictures; ++i) {
+        const auto shift = [&](double step) {
+            return pixel * static_cast<float>(std::fmod(i * step, 1.0));
+        };
+        view.camera.target = target + shift(0.7548776662466927) * view.camera.right() +
+                             shift(0.5698402909980532) * view.camera.up();
+        const Pixels seen = picture(renderer, document, view);
+        for (std::size_t p = 0; p < seen.size(); p += 4)
+            covered += !(seen[p] == 0 && seen[p + 1] == 255 && seen[p + 2] == 0);
+    }
+    return static_cast<double>(covered) / pictures;
 }
 
 // Root of the mean square of the differences.
