@@ -146,7 +146,23 @@ TEST(FieldRange, SpansTheValuesOfEachChannel) {
 }
 
 TEST(OpenDocument, HasDefaultFurWhereTheFileHasNone) {
-    EXPECT_EQ(openDocument(strip()).fur, defaultFur());
+    Source source = strip();
+    source.colors.assign(5, vec4(0.2f, 0.3f, 0.4f, 1.0f));
+    EXPECT_EQ(openDocument(std::move(source)).fur, defaultFur());
+}
+
+TEST(OpenDocument, IsBrownWhereTheMeshHasNoColor) {
+    Fur fur = openDocument(strip()).fur;
+    for (Coat* coat : {&fur.over, &fur.under}) {
+        for (const vec3 color : {coat->rootColor, coat->tipColor}) {
+            EXPECT_GT(color.r, color.g);
+            EXPECT_GT(color.g, color.b);
+        }
+    }
+    const Fur plain = defaultFur();
+    fur.over.rootColor = plain.over.rootColor, fur.over.tipColor = plain.over.tipColor;
+    fur.under.rootColor = plain.under.rootColor, fur.under.tipColor = plain.under.tipColor;
+    EXPECT_EQ(fur, plain);  // and nothing else differs
 }
 
 TEST(OpenDocument, TakesTheFurBlockOfTheFile) {

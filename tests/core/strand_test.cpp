@@ -52,7 +52,8 @@ TEST(Strand, ArcPolynomialIsWithinThreeMillionthsOfTheClosedForm) {
     for (int i = 1; i <= 1020; ++i) {
         const double m = i * 1e-3, a = 1 - m / 2, b = 8 * m;
         const auto f = [&](double x) {
-            return 0.5 * (x * std::sqrt(a + b * x * x) + a / std::sqrt(b) * std::asinh(x * std::sqrt(b / a)));
+            return 0.5 * (x * std::sqrt(a + b * x * x) +
+                          a / std::sqrt(b) * std::asinh(x * std::sqrt(b / a)));
         };
         const double exact = f(0.75) - f(-0.25);
         worst = std::max(worst, std::abs(arcOfUnitCurve(static_cast<float>(m)) - exact) / exact);
@@ -83,8 +84,8 @@ TEST(Strand, FollowsThePapersRuleAwayFromItsSingularities) {
         const float c = glm::dot(w, n);
         const vec3 literal = w - (1 - stiffness) * c * kUp;
         if (!(c > 0.05f) || glm::length(literal) < 0.1f) continue;
-        const Strand s = bendStrand(vec3(0), n, d, 1.0f, coatWith(stiffness, weight, 0.0f), 5u,
-                                    kDown, 1.0f);
+        const Strand s =
+            bendStrand(vec3(0), n, d, 1.0f, coatWith(stiffness, weight, 0.0f), 5u, kDown, 1.0f);
         EXPECT_LT(glm::distance(s.weightless, w), 2e-6f);
         const float tieBreak = 0.02f * (1 - stiffness) * c / glm::length(literal);
         EXPECT_LT(glm::distance(s.end, glm::normalize(literal)), 1.01f * tieBreak + 2e-6f);
@@ -92,21 +93,22 @@ TEST(Strand, FollowsThePapersRuleAwayFromItsSingularities) {
 }
 
 TEST(Strand, HorizontalHairsDroopAtMostToFortyFiveDegrees) {
-    const Strand s = bendStrand(vec3(0), vec3(1, 0, 0), vec3(1, 0, 0), 1.0f, coatWith(0, 0, 0), 1u,
-                                kDown, 1.0f);
+    const Strand s =
+        bendStrand(vec3(0), vec3(1, 0, 0), vec3(1, 0, 0), 1.0f, coatWith(0, 0, 0), 1u, kDown, 1.0f);
     EXPECT_NEAR(std::atan2(-s.end.y, s.end.x), 0.7854f, 0.02f);
 }
 
 TEST(Strand, StartsOnTheSkinTowardsTheWeightlessDirection) {
-    const Strand s = bendStrand(vec3(1, 2, 3), kUp, vec3(1, 0, 0), 0.1f, coatWith(0.2f, 0.5f, 0), 9u,
-                                kDown, 1.0f);
+    const Strand s = bendStrand(vec3(1, 2, 3), kUp, vec3(1, 0, 0), 0.1f, coatWith(0.2f, 0.5f, 0),
+                                9u, kDown, 1.0f);
     EXPECT_EQ(strandPoint(s, 0.0f), vec3(1, 2, 3));
     EXPECT_NEAR(glm::dot(strandTangent(s, 0.0f), s.weightless), 1.0f, 1e-6f);
 }
 
 // Inputs of the hard cases: every value at both ends, wrong signs, denormals, infinities, NaN.
 std::vector<float> hardNumbers() {
-    return {0.0f, -0.0f, 1e-45f, 1e-38f, 1e-20f, 0.02f, 0.5f, 0.98f, 1.0f, -1.0f, 2.0f, 1e20f, kInf, -kInf, kNan};
+    return {0.0f, -0.0f, 1e-45f, 1e-38f, 1e-20f, 0.02f, 0.5f, 0.98f,
+            1.0f, -1.0f, 2.0f,   1e20f,  kInf,   -kInf, kNan};
 }
 
 TEST(Strand, EveryInputGivesAFiniteHairAboveItsRootPlane) {
@@ -193,10 +195,9 @@ TEST(Strand, EndRandomnessTurnsByTheRootMeanSquareOfTheMethod) {
         double sum = 0.0;
         const int count = 40000;
         for (int i = 0; i < count; ++i) {
-            const Strand s =
-                bendStrand(vec3(0), kUp, vec3(0), 1.0f,
-                           coatWith(1.0f, 0.0f, static_cast<float>(amount)),
-                           hairId(static_cast<uint>(i), 0, 1), kDown, 0.0f);
+            const Strand s = bendStrand(vec3(0), kUp, vec3(0), 1.0f,
+                                        coatWith(1.0f, 0.0f, static_cast<float>(amount)),
+                                        hairId(static_cast<uint>(i), 0, 1), kDown, 0.0f);
             const double angle = std::acos(std::min(1.0f, glm::dot(s.weightless, kUp)));
             sum += angle * angle;
         }
@@ -224,15 +225,17 @@ TEST(Fiber, SineIsExactForNearlyParallelVectors) {
     EXPECT_NEAR(sineBetween(t, glm::normalize(t + 1e-3f * side)), 1e-3f, 1e-6f);
 }
 
+// Along x but for a thousandth, over skin that faces up; so does its shading normal.
 Strand horizontalHair() {
-    Coat straight = coatWith(1.0f, 0.0f, 0.0f);
+    Coat straight = coatWith(1.0f, 1.0f, 0.0f);
     straight.normalRandomness = 0.0f;
-    return bendStrand(vec3(0), vec3(1, 0, 0), vec3(0), 1.0f, straight, 1u, kDown, 0.0f);
+    const vec3 painted(0.999f, 0.001f, 0);
+    return bendStrand(vec3(0), vec3(0, 1, 0), painted, 1.0f, straight, 1u, kDown, 0.0f);
 }
 
 TEST(Fiber, HighlightPeaksWhereTheMirrorWouldBe) {
-    // The hair runs along x. Light 30 degrees off its normal plane; the cone of reflection lies at
-    // -30 degrees, not at +30 (the sign trap of the commonly printed formula).
+    // Light 30 degrees off the normal plane of the hair: the cone of reflection lies at -30
+    // degrees, not at +30 (the sign trap of the commonly printed formula).
     const Strand s = horizontalHair();
     Coat coat = coatWith(1.0f, 0.0f, 0.0f);
     coat.ambient = coat.diffuse = vec3(0);
@@ -265,7 +268,8 @@ TEST(Fiber, IsFiniteAndNotNegativeInEveryDirection) {
         light.key = 2.0f;
         light.sky = vec3(1);
         const vec3 eye = i % 5 == 0 ? light.toKey : random.direction();
-        const vec3 color = fiberRadiance(s, fur.over, light, vec3(0.5f), random.next(), eye, 30.0f * random.next());
+        const vec3 color = fiberRadiance(s, fur.over, light, vec3(0.5f), random.next(), eye,
+                                         30.0f * random.next());
         ASSERT_TRUE(finite(color));
         ASSERT_GE(std::min({color.x, color.y, color.z}), 0.0f);
     }
