@@ -23,7 +23,6 @@ constexpr Rgba kDim{0.565f, 0.580f, 0.620f, 1.0f};
 constexpr Rgba kAccent{0.878f, 0.565f, 0.290f, 1.0f};  // copper
 constexpr Rgba kAccentDeep{0.463f, 0.306f, 0.176f, 1.0f};
 constexpr Rgba kBad{0.910f, 0.408f, 0.365f, 1.0f};
-constexpr Rgba kGood{0.478f, 0.745f, 0.478f, 1.0f};
 }  // namespace color
 
 // Fork Awesome code points, as UTF-8.
@@ -38,12 +37,10 @@ constexpr const char* kHelp = "\xEF\x81\x99";
 constexpr const char* kMirror = "\xEF\x83\xAC";
 constexpr const char* kFacing = "\xEF\x8A\xA8";
 constexpr const char* kFolder = "\xEF\x81\xBB";
-constexpr const char* kFile = "\xEF\x80\x96";
 constexpr const char* kHome = "\xEF\x80\x95";
 constexpr const char* kDisk = "\xEF\x82\xA0";
 constexpr const char* kUp = "\xEF\x85\x88";
 constexpr const char* kRecent = "\xEF\x80\x97";
-constexpr const char* kWarning = "\xEF\x81\xB1";
 constexpr const char* kBox = "\xEF\x86\xB2";
 }  // namespace icon
 

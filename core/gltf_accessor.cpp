@@ -228,7 +228,7 @@ Elements elementsOf(const GltfFile& file, const JsonPlace& place, std::size_t co
 
 AccessorShape accessorShape(const GltfFile& file, std::size_t accessor) {
     const Elements elements = baseElements(file, file.element("accessors", accessor));
-    return {elements.count, elements.components, elements.componentType == kFloat};
+    return {elements.count, elements.components};
 }
 
 std::vector<float> accessorFloats(GltfFile& file, std::size_t accessor, std::size_t components,

@@ -13,7 +13,6 @@ namespace pelage {
 struct AccessorShape {
     std::size_t count = 0;
     std::size_t components = 0;  // 1 for SCALAR, 16 for MAT4
-    bool isFloat = false;
 };
 
 // Count and width of an accessor; checks that all its values lie in its buffer.

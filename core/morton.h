@@ -18,9 +18,12 @@ inline std::uint64_t spreadBits(std::uint64_t x) {
     return x;
 }
 
-// Place on the Morton curve through the cube of 2^21 cells a side that begins at `lower`. Morton, "A computer oriented geodetic data base", 1966.
+inline constexpr float kLastCell = 2097151.0f;  // of 2^21 along each axis
+
+// Place on the Morton curve through the cube of 2^21 cells a side that begins at `lower`. Morton,
+// "A computer oriented geodetic data base", 1966.
 inline std::uint64_t mortonCode(vec3 p, vec3 lower, float cellsPerMetre) {
-    const vec3 cell = glm::clamp((p - lower) * cellsPerMetre, vec3(0.0f), vec3(2097151.0f));
+    const vec3 cell = glm::clamp((p - lower) * cellsPerMetre, vec3(0.0f), vec3(kLastCell));
     const auto bits = [](float x) { return spreadBits(static_cast<std::uint64_t>(x)); };
     return bits(cell.x) | bits(cell.y) << 1 | bits(cell.z) << 2;
 }

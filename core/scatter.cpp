@@ -49,7 +49,7 @@ std::uint64_t placeCode(const Root& root, const Skin& skin) {
     const vec3 w = baryWeights(root.bary);
     const vec3 place = w.x * skin.vertices[t.x].position + w.y * skin.vertices[t.y].position +
                        w.z * skin.vertices[t.z].position;
-    return mortonCode(place, skin.lower, 2097151.0f / skin.size());
+    return mortonCode(place, skin.lower, kLastCell / skin.size());
 }
 
 // Triangles along the Morton curve of the vertices, cut into runs of about equal expected hairs.
@@ -66,7 +66,8 @@ std::vector<uint> spatialOrder(const Skin& skin) {
     return order;
 }
 
-// A run must not jump across a gap of the curve: a cluster is culled by its ball and normal cone.
+// A run must not jump across a gap of the curve, nor to the other side of an ear: a cluster is
+// culled by its ball and shares one level of detail.
 std::vector<Run> cutRuns(const Skin& skin, const std::vector<uint>& order, double hairsPerArea) {
     std::vector<Run> runs;
     const float reach = 4.0f * static_cast<float>(std::sqrt(kRootsPerCluster / hairsPerArea));
@@ -94,29 +95,26 @@ std::vector<Run> cutRuns(const Skin& skin, const std::vector<uint>& order, doubl
 }
 
 void bound(Cluster& cluster, const Skin& skin, std::span<const uint> triangles) {
-    vec3 lower(INFINITY), upper(-INFINITY), sum(0.0f);
+    vec3 lower(INFINITY), upper(-INFINITY);
     for (const uint t : triangles)
         for (int c = 0; c < 3; ++c) {
-            const SkinVertex& v = skin.vertices[skin.triangles[t][c]];
-            lower = glm::min(lower, v.position);
-            upper = glm::max(upper, v.position);
-            sum += v.normal * skin.areas[t];
+            const vec3 place = skin.vertices[skin.triangles[t][c]].position;
+            lower = glm::min(lower, place);
+            upper = glm::max(upper, place);
         }
     cluster.center = 0.5f * (lower + upper);
-    cluster.axis = safeUnit(sum, vec3(0.0f, 1.0f, 0.0f));
-    cluster.spread = 1.0f;
     for (const uint t : triangles)
         for (int c = 0; c < 3; ++c) {
-            const SkinVertex& v = skin.vertices[skin.triangles[t][c]];
-            cluster.radius = std::max(cluster.radius, glm::distance(v.position, cluster.center));
-            cluster.spread = std::min(cluster.spread, glm::dot(v.normal, cluster.axis));
+            const vec3 place = skin.vertices[skin.triangles[t][c]].position;
+            cluster.radius = std::max(cluster.radius, glm::distance(place, cluster.center));
         }
 }
 
-// The order of the hairs of a cluster such that any prefix is spread evenly: they are numbered along
-// the Morton curve through their places, and taken in the order of the numbers' reversed bits (van
-// der Corput, 1935). Ranks are evenly spaced, so that sums over ranks are exact within a cluster,
-// and start at a random phase, so that they are unbiased over clusters however few hairs each holds.
+// The order of the hairs of a cluster such that any prefix is spread evenly: they are numbered
+// along the Morton curve through their places, and taken in the order of the numbers' reversed bits
+// (van der Corput, 1935). Ranks are evenly spaced, so that sums over ranks are exact within a
+// cluster, and start at a random phase, so that they are unbiased over clusters however few hairs
+// each holds.
 void orderByRank(std::span<Root> roots, const Skin& skin, uint seed) {
     if (roots.empty()) return;
     struct Entry {
@@ -177,8 +175,7 @@ Roots scatterRoots(const Skin& skin, uint hairs, uint seed) {
             }
         }
         orderByRank({result.roots.data() + cluster.first, cluster.count}, skin, seed);
-        bound(cluster, skin,
-              std::span(order).subspan(runs[r].first, runs[r].end - runs[r].first));
+        bound(cluster, skin, std::span(order).subspan(runs[r].first, runs[r].end - runs[r].first));
     });
     std::erase_if(result.clusters, [](const Cluster& c) { return c.count == 0; });
     return result;

@@ -13,8 +13,6 @@ struct Cluster {
     uint first = 0, count = 0;  // into Roots::roots
     vec3 center{0.0f};          // of the roots' triangles, world, rest pose
     float radius = 0.0f;        // m, without the hair
-    vec3 axis{0.0f};            // unit: mean normal
-    float spread = 0.0f;        // cosine of the largest angle between axis and a vertex normal
 };
 
 // Roots in clusters; inside a cluster in the order of their rank, so that any prefix is a fair
@@ -31,8 +29,8 @@ struct Roots {
 Roots scatterRoots(const Skin& skin, uint hairs, uint seed);
 
 // The width at the root that makes a coat of the first groom's length opaque (optical depth 3 seen
-// from 45 degrees): 3 / (hairs/area * length * (1 - taper/2)). It depends on the skin and the number
-// of hairs only, so that painting never changes the width of hairs elsewhere.
+// from 45 degrees): 3 / (hairs/area * length * (1 - taper/2)). It depends on the skin and the
+// number of hairs only, so that painting never changes the width of hairs elsewhere.
 float autoWidth(const Skin& skin, uint hairs, float taper);
 
 }  // namespace pelage
