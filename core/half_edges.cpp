@@ -113,16 +113,16 @@ Topology makeTopology(std::size_t vertexCount, std::span<const uvec3> triangles)
     std::sort(extra.begin(), extra.end());
 
     topology.ringFirst.reserve(vertexCount + 1);
-    topology.ring.reserve(triangles.size() * 3 + extra.size());
+    topology.rings.reserve(triangles.size() * 3 + extra.size());
     auto next = extra.begin();
     for (uint v = 0; v < vertexCount; ++v) {
-        topology.ringFirst.push_back(static_cast<uint>(topology.ring.size()));
+        topology.ringFirst.push_back(static_cast<uint>(topology.rings.size()));
         for (const auto neighbour : mesh.vv_range(handle(v)))
-            topology.ring.push_back(static_cast<uint>(neighbour.idx()));
+            topology.rings.push_back(static_cast<uint>(neighbour.idx()));
         for (; next != extra.end() && next->first == v; ++next)
-            topology.ring.push_back(next->second);
+            topology.rings.push_back(next->second);
     }
-    topology.ringFirst.push_back(static_cast<uint>(topology.ring.size()));
+    topology.ringFirst.push_back(static_cast<uint>(topology.rings.size()));
     return topology;
 }
 

@@ -10,8 +10,8 @@
 namespace pelage {
 
 struct Topology {
-    // Neighbours of vertex v: ring[ringFirst[v]] up to ring[ringFirst[v + 1]], each once.
-    std::vector<uint> ringFirst, ring;
+    // Neighbours of vertex v: rings[ringFirst[v]] up to rings[ringFirst[v + 1]], each once.
+    std::vector<uint> ringFirst, rings;
     std::size_t boundaryEdges = 0;     // used by one triangle
     std::size_t nonManifoldEdges = 0;  // used by three triangles or more
     std::size_t flippedEdges = 0;      // used by two triangles in the same direction

@@ -99,7 +99,7 @@ std::vector<uint> placeVertices(Skin& skin, const std::vector<uint>& part) {
         upper = glm::max(upper, world[v]);
     }
     const vec3 extent = upper - lower;
-    const float cells = 2097151.0f / std::max({extent.x, extent.y, extent.z, 1e-30f});
+    const float cells = kLastCell / std::max({extent.x, extent.y, extent.z, 1e-30f});
 
     struct Placed {
         std::uint64_t code;
@@ -206,8 +206,8 @@ std::shared_ptr<const Skin> makeSkin(Source source, Progress* progress) {
     step(0.6f);
 
     Topology topology = makeTopology(skin->vertices.size(), skin->triangles);
-    skin->ringFirst_ = std::move(topology.ringFirst);
-    skin->ring_ = std::move(topology.ring);
+    skin->ringFirst = std::move(topology.ringFirst);
+    skin->rings = std::move(topology.rings);
     skin->report.weldedVertices = skin->vertices.size();
     skin->report.nonManifoldEdges = topology.nonManifoldEdges;
     skin->report.flippedEdges = topology.flippedEdges;

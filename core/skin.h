@@ -15,7 +15,7 @@ namespace pelage {
 // The matrix of vectors from a mesh's own space, in which fur is stored, to the world.
 struct Frame {
     mat3 toWorld{1.0f};
-    mat3 toMesh{1.0f};  // inverse, or identity where toWorld is singular
+    mat3 toMesh{1.0f};   // inverse, or identity where toWorld is singular
     float scale = 1.0f;  // cube root of |determinant|: world length of a mesh-space length of 1
 };
 
@@ -36,27 +36,27 @@ struct Skin {
     // World space, rest pose. Welded by exact position within a mesh, in Morton order, so that
     // neighbours in space are neighbours in memory.
     std::vector<SkinVertex> vertices;
-    std::vector<uvec3> triangles;  // skin vertices; in the order of the source file, none dropped
-    std::vector<float> areas;      // m^2, one per triangle
-    double area = 0.0;             // m^2, of all triangles
+    std::vector<uvec3> triangles;   // skin vertices; in the order of the source file, none dropped
+    std::vector<float> areas;       // m^2, one per triangle
+    double area = 0.0;              // m^2, of all triangles
     vec3 lower{0.0f}, upper{0.0f};  // bounds of the vertices that triangles use, m
+    float radius = 0.0f;            // m, of the ball around center() that holds those vertices
     std::vector<uint> weld;         // source vertex -> skin vertex
     std::vector<Frame> frames;      // SkinVertex::frame points here
     LoadReport report;
     std::shared_ptr<const Source> source;  // never null
 
+    std::vector<uint> ringFirst, rings;  // read by ring()
+
     // Skin vertices that share an edge with vertex v.
     std::span<const uint> ring(uint v) const {
-        return {ring_.data() + ringFirst_[v], ring_.data() + ringFirst_[v + 1]};
+        return {rings.data() + ringFirst[v], rings.data() + ringFirst[v + 1]};
     }
-    float radius = 0.0f;            // m, of the ball around center() that holds those vertices
     // Diagonal of the bounds, m; 1 for an empty or point-like skin.
     float size() const;
     // Middle of the bounds.
     vec3 center() const { return 0.5f * (lower + upper); }
     std::span<const Segment> segments() const { return source->segments; }
-
-    std::vector<uint> ringFirst_, ring_;
 };
 
 // Welds, sorts, and counts what is wrong with the mesh. Topology comes from an OpenMesh half-edge

@@ -63,7 +63,8 @@ TEST(Skin, NeighboursInSpaceAreNeighboursInMemory) {
             lower = glm::min(lower, skin->vertices[v].position);
             upper = glm::max(upper, skin->vertices[v].position);
         }
-        widest += glm::distance(lower, upper) / (static_cast<double>(skin->vertices.size()) / 256.0);
+        widest +=
+            glm::distance(lower, upper) / (static_cast<double>(skin->vertices.size()) / 256.0);
     }
     EXPECT_LT(sum / static_cast<double>(skin->vertices.size()), 3.0 / 128.0);
     EXPECT_LT(widest, 0.35) << "mean extent of a run of 256 vertices of a sheet of side 1";
@@ -71,9 +72,18 @@ TEST(Skin, NeighboursInSpaceAreNeighboursInMemory) {
 
 TEST(Skin, CountsNonManifoldFlippedAndDegenerateAndDropsNone) {
     // Three triangles at one edge, one flipped neighbour, one of no area, one with a corner twice.
-    Source source = oneMesh(
-        {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {6, 1, 0}, {7, 0, 0}},
-        {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {5, 6, 7}, {6, 7, 8}, {5, 6, 9}, {5, 5, 6}});
+    Source source =
+        oneMesh({{0, 0, 0},
+                 {1, 0, 0},
+                 {0, 1, 0},
+                 {0, -1, 0},
+                 {0, 0, 1},
+                 {5, 0, 0},
+                 {6, 0, 0},
+                 {5, 1, 0},
+                 {6, 1, 0},
+                 {7, 0, 0}},
+                {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {5, 6, 7}, {6, 7, 8}, {5, 6, 9}, {5, 5, 6}});
     const auto skin = makeSkin(std::move(source));
     EXPECT_EQ(skin->triangles.size(), 7u);
     EXPECT_EQ(skin->report.nonManifoldEdges, 1u);
@@ -82,8 +92,7 @@ TEST(Skin, CountsNonManifoldFlippedAndDegenerateAndDropsNone) {
 }
 
 TEST(Topology, ADoubledTriangleMakesItsEdgesFlippedNotManifold) {
-    const Topology topology =
-        makeTopology(3, std::vector<uvec3>{{0, 1, 2}, {0, 1, 2}});
+    const Topology topology = makeTopology(3, std::vector<uvec3>{{0, 1, 2}, {0, 1, 2}});
     EXPECT_EQ(topology.flippedEdges, 3u);
     EXPECT_EQ(topology.boundaryEdges, 0u);
     EXPECT_EQ(topology.nonManifoldEdges, 0u);
@@ -101,8 +110,8 @@ TEST(Topology, RingsHoldEveryNeighbourOnceAlsoAcrossNonManifoldEdges) {
             expected[b].insert(a);
         }
     for (uint v = 0; v < 7; ++v) {
-        const std::vector<uint> ring(topology.ring.begin() + topology.ringFirst[v],
-                                     topology.ring.begin() + topology.ringFirst[v + 1]);
+        const std::vector<uint> ring(topology.rings.begin() + topology.ringFirst[v],
+                                     topology.rings.begin() + topology.ringFirst[v + 1]);
         EXPECT_EQ(ring.size(), expected[v].size()) << "vertex " << v;
         EXPECT_EQ(std::set<uint>(ring.begin(), ring.end()), expected[v]) << "vertex " << v;
     }
