@@ -1,4 +1,4 @@
-// coat.h -- the parameters of the fur: one table from which sliders, JSON, command line and tests come.
+// coat.h -- the parameters of the fur: one table that makes sliders, JSON, options and tests.
 //
 // A parameter is named "over.stiffness", "under.stiffness", "both.stiffness" (sets two), or
 // "fur.hairs" for what the coats share. Van Gelder and Wilhelms, "An Interactive Fur Modeling

@@ -9,7 +9,7 @@ namespace pelage {
 
 struct Groom {
     Chunked<FurVertex> fur;  // one per skin vertex, in the mesh space of the file
-    Chunked<float> mask;     // one per skin vertex, [0,1]; 1 = no brush changes it. Not saved to glTF
+    Chunked<float> mask;     // one per skin vertex, [0,1]; 1 = no brush changes it. Never saved
 
     bool operator==(const Groom&) const = default;  // the same chunks, not merely equal values
 };

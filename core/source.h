@@ -18,13 +18,13 @@ struct CarriedGltf;  // the glTF as it was in the file; known to gltf_in and glt
 
 // A run of vertices and triangles that share a material and a place: one glTF primitive.
 struct SourcePart {
-    std::string name;           // of the mesh, for reports and segments
-    uint mesh = 0;              // parts of one mesh are welded to each other
-    uint primitive = 0;         // within the mesh
+    std::string name;    // of the mesh, for reports and segments
+    uint mesh = 0;       // parts of one mesh are welded to each other
+    uint primitive = 0;  // within the mesh
     uint firstVertex = 0, vertexCount = 0;
     uint firstTriangle = 0, triangleCount = 0;
-    int material = -1;          // into Source::materials, -1 = default
-    mat4 toWorld{1.0f};         // from mesh space to the world in the rest pose
+    int material = -1;   // into Source::materials, -1 = default
+    mat4 toWorld{1.0f};  // from mesh space to the world in the rest pose
 };
 
 struct SourceMaterial {
@@ -60,8 +60,8 @@ struct Source {
     // none of them at all, else as long as positions.
     std::vector<vec3> positions;
     std::vector<vec3> normals;
-    std::vector<vec2> uvs;     // of the base-color texture; v = 0 at the top (glTF)
-    std::vector<vec4> colors;  // COLOR_0, linear RGBA
+    std::vector<vec2> uvs;        // of the base-color texture; v = 0 at the top (glTF)
+    std::vector<vec4> colors;     // COLOR_0, linear RGBA
     std::vector<uint> segmentOf;  // into segments: the dominant joint, or what the maker says
     // For skinned vertices the matrix from mesh space to the world at rest; empty when no part is
     // skinned, and then SourcePart::toWorld holds for all its vertices.
@@ -71,9 +71,9 @@ struct Source {
     std::vector<SourceMaterial> materials;
     std::vector<SourceImage> images;
     std::vector<Segment> segments;
-    std::unique_ptr<SourceFur> fur;  // null when the file has no fur fields
-    std::string furBlock;            // the JSON of extras.fur, empty when there is none
-    std::size_t fileVertices = 0;    // vertices as the file counts them (OBJ: its v lines)
+    std::unique_ptr<SourceFur> fur;     // null when the file has no fur fields
+    std::string furBlock;               // the JSON of extras.fur, empty when there is none
+    std::size_t fileVertices = 0;       // vertices as the file counts them (OBJ: its v lines)
     std::vector<std::string> warnings;  // one line each, for the load report
     std::shared_ptr<const CarriedGltf> carried;  // null when the source is not glTF
 };

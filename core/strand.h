@@ -1,4 +1,4 @@
-// strand.h -- the functions of strand.glsl and fiber.glsl that C++ may call. Their comments are there.
+// strand.h -- the functions of strand.glsl and fiber.glsl that C++ may call, explained there.
 #pragma once
 
 #include "types.h"

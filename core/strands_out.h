@@ -9,10 +9,10 @@
 namespace pelage {
 
 struct Curves {
-    uint pointsPerHair = 0;       // segments + 1
-    std::vector<vec3> points;     // world; pointsPerHair for each hair, root first
-    std::vector<float> rootWidth; // m, one per hair
-    std::vector<uint> root;       // index into Roots::roots, one per hair
+    uint pointsPerHair = 0;        // segments + 1
+    std::vector<vec3> points;      // world; pointsPerHair for each hair, root first
+    std::vector<float> rootWidth;  // m, one per hair
+    std::vector<uint> root;        // index into Roots::roots, one per hair
 };
 
 // Every hair that grows at level of detail 1, as a polyline; on all cores. segments in [1, 64].
