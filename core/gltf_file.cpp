@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "beside.h"
+#include "text.h"
 
 namespace pelage {
 namespace {
@@ -312,7 +313,7 @@ GltfFile openGltf(std::span<const std::byte> bytes, const std::string& path) {
     }
     resolveBuffers(file, chunks);
     checkViews(file);
-    file.budget = (std::size_t{1} << 27) + 32 * file.bytes;
+    file.budget = (std::size_t{1} << 23) + 32 * file.bytes;
     return file;
 }
 

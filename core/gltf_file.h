@@ -1,6 +1,7 @@
 // gltf_file.h -- a glTF taken apart: JSON whose references exist, and buffers in memory.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -36,8 +37,12 @@ struct GltfFile {
         const auto list = root().array(section);
         return list ? list->size() : 0;
     }
-    // Largest number of vertices, and of triangles, that this file may unfold to.
-    std::size_t elementLimit() const { return (std::size_t{1} << 22) + bytes; }
+    // Largest number of vertices, and of triangles, that this file may unfold to. Stored ones take
+    // several bytes each; the rest leaves room for primitives that share them, and a small file
+    // still cannot ask for much.
+    std::size_t elementLimit() const {
+        return std::min((std::size_t{1} << 18) + 2 * bytes, std::size_t{1} << 31);
+    }
 };
 
 // Takes a .glb or .gltf apart. Refuses, with one line: what is truncated or no JSON, versions other
