@@ -91,7 +91,7 @@ std::vector<std::byte> packGlb(GlbDraft draft) {
         if (buffers.is_null()) buffers = OrderedJson::array({OrderedJson::object()});
         buffers[0]["byteLength"] = draft.bin.size();
     }
-    const std::string text = draft.json.dump();
+    const std::string text = draft.json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
     const std::size_t json = aligned(text.size()), bin = aligned(draft.bin.size());
     const std::size_t total =
         kHeader + kChunkHeader + json + (draft.bin.empty() ? 0 : kChunkHeader + bin);

@@ -36,8 +36,9 @@ std::size_t appendFloats(GlbDraft& draft, std::span<const float> values, int com
 // Appends vertex numbers in 16 bits, or in 32 where the largest does not fit.
 std::size_t appendIndices(GlbDraft& draft, std::span<const uint> indices, const std::string& name);
 
-// The .glb: header, JSON chunk, binary chunk (none when it is empty). Throws std::runtime_error
-// when it would be 4 GiB or more.
+// The .glb: header, JSON chunk, binary chunk (none when it is empty). In names that are not UTF-8
+// (those of files and OBJ materials need not be) the wrong bytes become U+FFFD. Throws
+// std::runtime_error when it would be 4 GiB or more.
 std::vector<std::byte> packGlb(GlbDraft draft);
 
 }  // namespace pelage

@@ -305,6 +305,21 @@ TEST(GltfOut, OtherSourcesBecomeOneMeshWithTheirVerticesInOrder) {
     EXPECT_EQ(document.skin->triangles.size(), 3u);
 }
 
+TEST(GltfOut, NamesThatAreNotUtf8AreWrittenWithReplacements) {
+    Source source = makeAnimal(2000);
+    source.parts[0].name = "b\xe9te";  // Latin-1, as old OBJ files and file names have it
+    const OrderedJson json = takeApart(groomedGlb(openDocument(std::move(source)))).json;
+    EXPECT_EQ(json["meshes"][0]["name"], "b\xef\xbf\xbdte");
+}
+
+TEST(GltfOut, ManyNodesDoNotTakeTimeByTheirSquare) {
+    OrderedJson nodes = OrderedJson::array();
+    for (int i = 0; i < 1000000; ++i) nodes.push_back(OrderedJson::object());
+    const CarriedGltf carried{OrderedJson{{"nodes", nodes}}.dump(), {}, {}};
+    // By the square this would take the better part of an hour.
+    EXPECT_EQ(carriedDraft(carried).json["nodes"].size(), nodes.size());
+}
+
 TEST(GltfOut, NormalsOfOtherSourcesAreMadeUnit) {
     Source source = makeAnimal(2000);
     source.normals[0] *= 3.0f;
