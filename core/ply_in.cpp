@@ -8,11 +8,11 @@
 #include <stdexcept>
 #include <vector>
 
-#include "beside.h"
 #include "mesh_build.h"
 #include "mesh_in.h"
 #include "ply_header.h"
 #include "source_check.h"
+#include "text.h"
 #include "text_scan.h"
 
 namespace pelage {
@@ -216,10 +216,12 @@ Source readPly(std::span<const std::byte> bytes, const std::string& path, Progre
     for (const PlyElement& element : header.elements) {
         if (element.name == "vertex" && build.source.positions.empty()) {
             readVertices(numbers, element, build.source, ticker);
+        } else if (element.properties.empty()) {
+            continue;  // takes no bytes, whatever its count says
         } else if (element.name == "face") {
             readFaces(numbers, element, build, ticker);
         } else {
-            for (std::size_t i = 0; i < element.count && !element.properties.empty(); ++i) {
+            for (std::size_t i = 0; i < element.count; ++i) {
                 for (const PlyProperty& property : element.properties) skip(numbers, property);
             }
         }

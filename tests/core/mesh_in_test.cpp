@@ -43,9 +43,9 @@ TEST(Obj, VerticesKeepTheirOrderAlsoUnusedOnes) {
 
 TEST(Obj, EveryFormOfCornerIsRead) {
     const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\n";
-    for (const char* face : {"f 1 2 3", "f 1/1 2/2 3/3", "f 1//1 2//1 3//1", "f 1/1/1 2/2/1 3/3/1",
-                             "f -3 -2 -1", "f -3/-3/-1 -2/-2/-1 -1/-1/-1", "f 1 2 \\\n 3",
-                             "\tf  1\t2 3  # comment", "f 1/ 2/ 3/"}) {
+    for (const char* face :
+         {"f 1 2 3", "f 1/1 2/2 3/3", "f 1//1 2//1 3//1", "f 1/1/1 2/2/1 3/3/1", "f -3 -2 -1",
+          "f -3/-3/-1 -2/-2/-1 -1/-1/-1", "f 1 2 \\\n 3", "\tf  1\t2 3  # comment", "f 1/ 2/ 3/"}) {
         EXPECT_EQ(obj(vertices + face).triangles, (Triangles{{0, 1, 2}})) << face;
     }
     EXPECT_EQ(obj("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0").triangles.size(),
@@ -372,6 +372,18 @@ TEST(SourceShared, MeshesHaveTheirCounts) {
         }
         EXPECT_EQ(source.images.size(), row.vertices == 2930 ? 1u : 0u) << row.name;
     }
+}
+
+TEST(Ply, ElementsWithoutPropertiesTakeNoTimeWhateverTheirCount) {
+    const std::string start =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
+        "float "
+        "z\n";
+    std::string text = start;
+    for (int i = 0; i < 1000; ++i) text += "element face 2147483647\nelement edge 2147483647\n";
+    text += "end_header\n0 0 0\n1 0 0\n0 1 0\n";
+    // Were they counted through, this test would not end.
+    EXPECT_EQ(refusal([&] { readPly(bytesOf(text), ""); }), "PLY: holds no triangle");
 }
 
 }  // namespace
