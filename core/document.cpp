@@ -2,6 +2,7 @@
 #include "document.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace pelage {
@@ -11,6 +12,15 @@ bool hasColors(const Source& source) {
     const auto colored = [](const SourceMaterial& m) { return vec3(m.baseColor) != vec3(1.0f); };
     return !source.images.empty() || !source.colors.empty() ||
            std::any_of(source.materials.begin(), source.materials.end(), colored);
+}
+
+Fur carriedFur(const Source& source) {
+    try {
+        return furFromJson(source.furBlock);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error((source.path.empty() ? "glTF" : source.path) + ": " +
+                                 error.what());
+    }
 }
 
 // Hair takes its color from the skin at its root. Where that is plain white, as in most meshes that
@@ -29,7 +39,7 @@ Fur firstFur(const Source& source) {
 
 Document openDocument(Source source, Progress* progress) {
     // First, because it may throw, and the rest takes long.
-    const Fur fur = source.furBlock.empty() ? firstFur(source) : furFromJson(source.furBlock);
+    const Fur fur = source.furBlock.empty() ? firstFur(source) : carriedFur(source);
     std::shared_ptr<const Skin> skin = makeSkin(std::move(source), progress);
     Groom groom = initialGroom(*skin);
     return {std::move(skin), std::move(groom), fur};

@@ -9,6 +9,7 @@
 
 #include "core/animal.h"
 #include "core/document.h"
+#include "reading.h"
 
 namespace pelage {
 namespace {
@@ -178,6 +179,14 @@ TEST(OpenDocument, RefusesABrokenFurBlock) {
     Source source = strip();
     source.furBlock = "{\"version\":1,\"hairs\":\"many\"}";
     EXPECT_THROW(openDocument(std::move(source)), std::runtime_error);
+}
+
+TEST(OpenDocument, NamesTheFileOfABrokenFurBlock) {
+    Source source = strip();
+    source.path = "horse.glb";
+    source.furBlock = "{\"version\":2}";
+    EXPECT_EQ(test::refusal([&] { openDocument(std::move(source)); }),
+              "horse.glb: extras.fur: version is 2, this program reads 1..1");
 }
 
 TEST(OpenDocument, StopsWhenCancelled) {
