@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 namespace pelage {
 namespace {
@@ -27,15 +28,15 @@ public:
     }
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        std::swap(number_, other.number_);
+        return *this;
+    }
 
     int number() const { return number_; }
     bool open() const { return number_ >= 0; }
     // Closes now; false when the system could not keep what was written.
-    bool close() {
-        const int result = ::close(number_);
-        number_ = -1;
-        return result == 0;
-    }
+    bool close() { return ::close(std::exchange(number_, -1)) == 0; }
 
 private:
     int number_;
@@ -71,6 +72,54 @@ void syncFolder(const std::string& folder, const std::string& path) {
     if (::fsync(file.number()) != 0 && errno != EINVAL) fail(path, "cannot sync the folder", errno);
 }
 
+// A file that is being written in the folder of the one that it will replace. Where the system can,
+// it has no name until it is complete, so that it vanishes with a process that is killed.
+class Beside {
+public:
+    Beside(const std::string& folder, const std::string& path)
+        : path_(path),
+          name_(folder + "/.pelage-XXXXXX"),
+          file_(::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600)) {
+        if (file_.open() && ::access(self().c_str(), F_OK) == 0) return;
+        file_ = Descriptor(::mkostemp(name_.data(), O_CLOEXEC));
+        if (!file_.open()) fail(path_, "cannot write beside it", errno);
+        named_ = true;
+    }
+    ~Beside() {
+        if (named_) ::unlink(name_.c_str());
+    }
+    Beside(const Beside&) = delete;
+    Beside& operator=(const Beside&) = delete;
+
+    int number() const { return file_.number(); }
+
+    void replace(const std::string& target) {
+        if (!named_) giveName();
+        if (!file_.close()) fail(path_, "cannot write", errno);
+        if (::rename(name_.c_str(), target.c_str()) != 0) fail(path_, "cannot replace", errno);
+        named_ = false;
+    }
+
+private:
+    std::string self() const { return "/proc/self/fd/" + std::to_string(file_.number()); }
+
+    void giveName() {
+        const std::string stem = name_.substr(0, name_.size() - 6);
+        for (int attempt = 100000; attempt < 1000000; ++attempt) {
+            name_ = stem + std::to_string(attempt);
+            named_ =
+                ::linkat(AT_FDCWD, self().c_str(), AT_FDCWD, name_.c_str(), AT_SYMLINK_FOLLOW) == 0;
+            if (named_) return;
+            if (errno != EEXIST) break;
+        }
+        fail(path_, "cannot write beside it", errno);
+    }
+
+    std::string path_, name_;
+    bool named_ = false;
+    Descriptor file_;
+};
+
 }  // namespace
 
 void writeFileAtomically(const std::string& path, std::span<const std::byte> bytes) {
@@ -83,22 +132,14 @@ void writeFileAtomically(const std::string& path, std::span<const std::byte> byt
     if (replaces && !S_ISREG(old.st_mode))
         fail(path, "cannot write", S_ISDIR(old.st_mode) ? EISDIR : EINVAL);
 
-    std::string beside = target + ".XXXXXX";
-    Descriptor file(::mkostemp(beside.data(), O_CLOEXEC));
-    if (!file.open()) fail(path, "cannot write beside it", errno);
-    try {
-        writeAll(file.number(), bytes, path);
-        const mode_t mask = ::umask(0);
-        ::umask(mask);
-        const mode_t mode = replaces ? old.st_mode & 07777u : 0666u & ~mask;
-        if (::fchmod(file.number(), mode) != 0) fail(path, "cannot set permissions", errno);
-        if (::fsync(file.number()) != 0) fail(path, "cannot sync", errno);
-        if (!file.close()) fail(path, "cannot write", errno);
-        if (::rename(beside.c_str(), target.c_str()) != 0) fail(path, "cannot replace", errno);
-    } catch (...) {
-        ::unlink(beside.c_str());
-        throw;
-    }
+    Beside file(folder, path);
+    writeAll(file.number(), bytes, path);
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    const mode_t mode = replaces ? old.st_mode & 07777u : 0666u & ~mask;
+    if (::fchmod(file.number(), mode) != 0) fail(path, "cannot set permissions", errno);
+    if (::fsync(file.number()) != 0) fail(path, "cannot sync", errno);
+    file.replace(target);
     syncFolder(folder, path);
 }
 

@@ -11,7 +11,8 @@ namespace pelage {
 
 // Writes beside `path`, fsyncs, renames over it and fsyncs the folder. Keeps the permissions of a
 // file that was there, and follows a symbolic link to what it names. Throws std::runtime_error
-// "path: what: why"; `path` is then as before and nothing is left beside it.
+// "path: what: why"; `path` is then as before and nothing is left beside it, nor when the process
+// is killed while it writes (on file systems that have files without names).
 void writeFileAtomically(const std::string& path, std::span<const std::byte> bytes);
 
 // The whole file. Throws std::runtime_error "path: why" when it cannot be read, is no regular file

@@ -1,8 +1,13 @@
 // files_test.cpp -- atomic writes, whole reads, and files that may be read beside a mesh.
 #include "core/files.h"
 
+#include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 
 #include "core/beside.h"
@@ -55,6 +60,38 @@ TEST(Files, NewFilesFollowTheMask) {
     struct stat about {};
     ASSERT_EQ(::stat(folder.path("a.bin").c_str(), &about), 0);
     EXPECT_EQ(about.st_mode & 07777u, 0640u);
+}
+
+TEST(Files, AProcessKilledWhileItWritesLeavesNothing) {
+    const TempFolder folder;
+    const std::string path = folder.write("a.bin", "old");
+    const int probe = ::open(folder.path("").c_str(), O_TMPFILE | O_WRONLY, 0600);
+    if (probe < 0) GTEST_SKIP() << "this file system has no files without names";
+    ::close(probe);
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        // A file that may not become so large: the system kills who writes on.
+        const rlimit limit{1 << 16, 1 << 16};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        const rlimit noCore{0, 0};
+        ::setrlimit(RLIMIT_CORE, &noCore);
+        ::signal(SIGXFSZ, SIG_DFL);
+        writeFileAtomically(path, std::vector<std::byte>(1 << 20));
+        ::_exit(0);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    EXPECT_EQ(textOf(readFile(path, 10)), "old");
+    EXPECT_EQ(folder.fileCount(), 1u);
+}
+
+TEST(Files, NamesMayBeAsLongAsTheSystemAllows) {
+    const TempFolder folder;
+    const std::string path = folder.path(std::string(251, 'n') + ".glb");
+    writeFileAtomically(path, bytesOf("new"));
+    EXPECT_EQ(textOf(readFile(path, 10)), "new");
 }
 
 TEST(Files, WritingFollowsALinkToWhatItNames) {
