@@ -20,6 +20,41 @@ namespace {
 
 constexpr int kLargestSide = 2048;
 constexpr int kLargestDecoded = 16384;
+constexpr int kMostLayers = 2048;                            // what every OpenGL 4.5 can
+constexpr std::size_t kLargestArray = std::size_t{1} << 28;  // bytes
+
+const stbi_uc* encoded(const SourceImage& image) {
+    return reinterpret_cast<const stbi_uc*>(image.bytes.data());
+}
+
+int encodedSize(const SourceImage& image) {
+    return static_cast<int>(std::min<std::size_t>(image.bytes.size(), 1u << 30));
+}
+
+// Pixels as the header says; 0 where the picture is not one that is decoded.
+ivec2 sizeOf(const SourceImage& image) {
+    ivec2 size(0);
+    int channels = 0;
+    if (image.bytes.empty() ||
+        !stbi_info_from_memory(encoded(image), encodedSize(image), &size.x, &size.y, &channels))
+        return ivec2(0);
+    // A byte of PNG holds at most 8 * 1032 pixels, one of JPEG far fewer.
+    const auto pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    const bool plausible = pixels <= (std::size_t{1} << 20) + 8256 * image.bytes.size();
+    return plausible && std::max(size.x, size.y) <= kLargestDecoded ? size : ivec2(0);
+}
+
+// The common size of the layers.
+ivec2 layerSize(const std::vector<ivec2>& sizes, std::size_t layers) {
+    ivec2 size(1);
+    for (const ivec2 each : sizes) size = glm::max(size, each);
+    size = glm::min(size, ivec2(kLargestSide));
+    const auto bytes = [&] {
+        return 4 * layers * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    };
+    while (bytes() > kLargestArray) size = glm::max(size / 2, ivec2(1));
+    return size;
+}
 
 struct Decoded {
     gl::Texture texture;
@@ -27,15 +62,11 @@ struct Decoded {
 };
 
 Decoded decode(const SourceImage& image) {
-    const auto* bytes = reinterpret_cast<const stbi_uc*>(image.bytes.data());
-    const int count = static_cast<int>(std::min<std::size_t>(image.bytes.size(), 1u << 30));
-    ivec2 size(0);
-    int channels = 0;
     Decoded result;
-    if (!stbi_info_from_memory(bytes, count, &size.x, &size.y, &channels) ||
-        std::max(size.x, size.y) > kLargestDecoded)
-        return result;
-    stbi_uc* pixels = stbi_load_from_memory(bytes, count, &size.x, &size.y, &channels, 4);
+    int channels = 0;
+    ivec2 size(0);
+    stbi_uc* pixels =
+        stbi_load_from_memory(encoded(image), encodedSize(image), &size.x, &size.y, &channels, 4);
     if (!pixels) return result;
     result.size = size;
     result.texture = gl::makeTexture(size, GL_SRGB8_ALPHA8);
@@ -61,31 +92,36 @@ void blitToLayer(const Decoded& picture, GLuint array, int layer, ivec2 size) {
 }  // namespace
 
 BaseColors makeBaseColors(const Source& source) {
-    std::vector<Decoded> pictures;
-    ivec2 size(1);
+    std::vector<ivec2> sizes;
+    std::vector<int> layerOf;  // of each image, -1 for none
+    int layers = 0;
     for (const SourceImage& image : source.images) {
-        pictures.push_back(decode(image));
-        size = glm::max(size, pictures.back().size);
+        sizes.push_back(sizeOf(image));
+        layerOf.push_back(sizes.back().x > 0 && layers < kMostLayers ? layers++ : -1);
     }
-    size = glm::min(size, ivec2(kLargestSide));
+    const ivec2 size = layerSize(sizes, static_cast<std::size_t>(layers));
 
     GLuint name = 0;
     glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &name);
     BaseColors result;
     result.texture = gl::Texture(name);
-    const int layers = std::max<int>(1, static_cast<int>(pictures.size()));
-    glTextureStorage3D(name, 1, GL_SRGB8_ALPHA8, size.x, size.y, layers);
+    glTextureStorage3D(name, 1, GL_SRGB8_ALPHA8, size.x, size.y, std::max(layers, 1));
     glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    for (int layer = 0; layer < static_cast<int>(pictures.size()); ++layer)
-        if (pictures[static_cast<std::size_t>(layer)].texture)
-            blitToLayer(pictures[static_cast<std::size_t>(layer)], name, layer, size);
+    for (std::size_t i = 0; i < source.images.size(); ++i) {
+        if (layerOf[i] < 0) continue;
+        const Decoded picture = decode(source.images[i]);  // one at a time: they may be large
+        if (picture.texture)
+            blitToLayer(picture, name, layerOf[i], size);
+        else
+            layerOf[i] = -1;
+    }
 
     for (const SourceMaterial& material : source.materials) {
         MaterialData data;
         data.color = vec3(material.baseColor);
-        if (material.image >= 0 && pictures[static_cast<std::size_t>(material.image)].texture)
-            data.layer = static_cast<float>(material.image);
+        if (material.image >= 0)
+            data.layer = static_cast<float>(layerOf[static_cast<std::size_t>(material.image)]);
         result.materials.push_back(data);
     }
     result.materials.emplace_back();

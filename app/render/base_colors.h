@@ -20,8 +20,9 @@ struct BaseColors {
     std::vector<MaterialData> materials;  // those of the source, then a white one for "none"
 };
 
-// Pictures are decoded and scaled to a common size (the largest, at most 2048). One that cannot be
-// decoded counts as white; readers warn about it.
+// Pictures are decoded and scaled to a common size: the largest, at most 2048, and less where there
+// are so many that the array would take over 256 MB. One that cannot be decoded, whose header
+// promises more pixels than its bytes can hold, or that is past the 2048th counts as white.
 BaseColors makeBaseColors(const Source& source);
 
 }  // namespace pelage
