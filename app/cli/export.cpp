@@ -21,6 +21,7 @@ struct Options {
 void addOutput(CLI::App& verb, Options& options) {
     verb.add_option("-o,--output", options.output, "The .glb file to write")
         ->type_name("OUT.glb")
+        ->check(endsIn(".glb"))
         ->required();
     verb.add_flag("--compatibility-uvs", options.glb.compatibilityUvs,
                   "Mirror the fur fields into TEXCOORD_2 to TEXCOORD_4");

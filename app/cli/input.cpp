@@ -78,6 +78,16 @@ Document openInput(const InputOptions& options) {
     return document;
 }
 
+CLI::Validator endsIn(const std::string& extension) {
+    return {[=](const std::string& name) {
+                const std::string end = std::filesystem::path(name).extension().string();
+                return CLI::detail::to_lower(end) == extension
+                           ? std::string()
+                           : "\"" + name + "\" does not end in " + extension;
+            },
+            ""};
+}
+
 std::string stemOf(const std::string& file) {
     return file.empty() ? "animal" : std::filesystem::path(file).stem().string();
 }

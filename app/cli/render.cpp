@@ -125,6 +125,7 @@ void addRender(CLI::App& app, bool& json) {
     addInputOptions(*verb, options->input);
     verb->add_option("-o,--output", options->output, "The .png file to write")
         ->type_name("OUT.png")
+        ->check(endsIn(".png"))
         ->required();
     verb->add_option("--size", options->size, "Pixels")
         ->type_name("WxH")
