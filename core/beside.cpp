@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "files.h"
+#include "text.h"
 
 namespace pelage {
 namespace {
@@ -59,14 +60,6 @@ const char* objection(std::string_view name) {
 }
 
 }  // namespace
-
-std::string inQuotes(std::string_view text) {
-    std::string out = "\"";
-    for (const char c : text.substr(0, 80)) {
-        out += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-    }
-    return out + (text.size() > 80 ? "...\"" : "\"");
-}
 
 std::string pathBeside(const std::string& owner, std::string_view uri) {
     const auto refuse = [&](const std::string& why) {

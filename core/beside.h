@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "text.h"
+
 namespace pelage {
 
 // The path of the file that `owner` means by the relative reference `uri`. Percent escapes are
@@ -17,8 +19,5 @@ std::string pathBeside(const std::string& owner, std::string_view uri);
 // Bytes of that file. Throws std::runtime_error as pathBeside and readFile do.
 std::vector<std::byte> readBeside(const std::string& owner, std::string_view uri,
                                   std::size_t limit);
-
-// A text of the file as it may stand in a message: one line, at most 80 bytes, no control codes.
-std::string inQuotes(std::string_view text);
 
 }  // namespace pelage

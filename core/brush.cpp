@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "script_text.h"
+#include "text.h"
 #include "tools.h"
 
 namespace pelage {

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "coat_text.h"
+#include "text.h"
 
 namespace pelage {
 namespace {
@@ -249,24 +250,16 @@ void setParameter(Fur& fur, std::string_view path, std::string_view value) {
     if (under) setFromText(fur.under, whole, *row, value);
 }
 
-std::string numberText(float value) {
-    char text[32];
-    const bool whole = std::abs(value) < 1e9f && value == std::floor(value);
-    const auto result = whole ? std::to_chars(text, text + sizeof text, std::lround(value))
-                              : std::to_chars(text, text + sizeof text, value);
-    return {text, result.ptr};
-}
-
 std::string rangeText(const Parameter& row) {
     const bool all32Bits = row.kind == Kind::count && row.greatest >= kMaxUint;
-    return numberText(row.least) + ".." + (all32Bits ? "4294967295" : numberText(row.greatest));
+    return floatText(row.least) + ".." + (all32Bits ? "4294967295" : floatText(row.greatest));
 }
 
 void checkRange(const std::string& path, const Parameter& row, vec3 value) {
     for (int i = 0; i < row.components(); ++i) {
         if (value[i] >= row.least && value[i] <= row.greatest) continue;
-        std::string text = numberText(value.x);
-        for (int j = 1; j < row.components(); ++j) text.append(",").append(numberText(value[j]));
+        std::string text = floatText(value.x);
+        for (int j = 1; j < row.components(); ++j) text.append(",").append(floatText(value[j]));
         throw std::runtime_error(path + " is " + text + ", range " + rangeText(row));
     }
     if (row.kind == Kind::direction && !unitDirection(value)) {

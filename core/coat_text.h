@@ -9,8 +9,6 @@
 
 namespace pelage {
 
-// Shortest text that reads back as the same float; whole numbers without exponent.
-std::string numberText(float value);
 // "0..1"
 std::string rangeText(const Parameter& row);
 

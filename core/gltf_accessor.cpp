@@ -6,7 +6,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "beside.h"
+#include "text.h"
 
 namespace pelage {
 namespace {

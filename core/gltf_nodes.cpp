@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
-#include "beside.h"
+#include "text.h"
 
 namespace pelage {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "beside.h"
 #include "source_check.h"
+#include "text.h"
 
 namespace pelage {
 namespace {

@@ -10,6 +10,7 @@
 #include "mesh_build.h"
 #include "mesh_in.h"
 #include "source_check.h"
+#include "text.h"
 #include "text_scan.h"
 
 namespace pelage {

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "beside.h"
 #include "mesh_build.h"
 #include "mesh_in.h"
 #include "source_check.h"
+#include "text.h"
 #include "text_scan.h"
 
 namespace pelage {

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "beside.h"
+#include "text.h"
 #include "text_scan.h"
 
 namespace pelage {

@@ -12,6 +12,7 @@
 #include "files.h"
 #include "gltf_out.h"
 #include "script_text.h"
+#include "text.h"
 
 namespace pelage {
 namespace {
@@ -26,7 +27,7 @@ Editor& editorOf(Workspace& workspace) {
 
 void expectEnd(Words& words) {
     if (!words.done())
-        throw std::runtime_error("does not expect " + quoted(words.next()) + " here");
+        throw std::runtime_error("does not expect " + inQuotes(words.next()) + " here");
 }
 
 std::string pathOf(Words& words) {
@@ -45,7 +46,7 @@ vec3 pointFromWords(Words& words) {
     for (int i = 0; i < 3; ++i) {
         const std::string_view word = words.next();
         const std::optional<float> number = floatFromText(word);
-        if (!number) throw std::runtime_error(quoted(word) + " is no number");
+        if (!number) throw std::runtime_error(inQuotes(word) + " is no number");
         point[i] = *number;
     }
     return point;
@@ -60,7 +61,7 @@ void runAnimal(Workspace& workspace, Words& words) {
     if (const std::string_view word = words.next(); !word.empty()) {
         const std::optional<float> number = floatFromText(word);
         if (!number || *number < 2000.0f || *number > 2e6f)
-            throw std::runtime_error(quoted(word) +
+            throw std::runtime_error(inQuotes(word) +
                                      " is no number of triangles from 2000 to 2000000");
         triangles = static_cast<std::size_t>(*number);
     }
@@ -96,7 +97,7 @@ void runStroke(Workspace& workspace, Words& words) {
     const auto [brush, stopped] = brushFromWords(words, true);
     if (stopped != ":")
         throw std::runtime_error(stopped.empty() ? "the stroke has no : and no points"
-                                                 : "no brush knows " + quoted(stopped));
+                                                 : "no brush knows " + inQuotes(stopped));
     std::vector<vec3> points;
     while (!words.done()) points.push_back(pointFromWords(words));
     if (points.size() % 2 != 0)
@@ -116,7 +117,7 @@ void runFlood(Workspace& workspace, Words& words) {
     if (stopped == "direction") {
         direction = pointFromWords(words);
     } else if (!stopped.empty()) {
-        throw std::runtime_error("no flood knows " + quoted(stopped));
+        throw std::runtime_error("no flood knows " + inQuotes(stopped));
     }
     expectEnd(words);
     if (brush.tool == Tool::comb && direction == vec3(0.0f))
@@ -235,7 +236,7 @@ void runLine(Workspace& workspace, std::string_view line) {
     if (name.empty() || name.front() == '#') return;
     const auto command = std::find_if(kCommands.begin(), kCommands.end(),
                                       [&](const Command& row) { return name == row.name; });
-    if (command == kCommands.end()) throw std::runtime_error("no command " + quoted(name));
+    if (command == kCommands.end()) throw std::runtime_error("no command " + inQuotes(name));
     workspace.cancelStroke();
     if (workspace.editor) workspace.editor->cancel();
     try {

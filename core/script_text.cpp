@@ -1,10 +1,12 @@
-// script_text.cpp -- numbers and brushes as words.
+// script_text.cpp -- brushes as words.
 #include "script_text.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <optional>
+#include <span>
 #include <stdexcept>
+
+#include "text.h"
 
 namespace pelage {
 namespace {
@@ -23,39 +25,19 @@ const ToolInfo& toolNamed(std::string_view word) {
         if (word == row.name) return row;
         known += std::string(known.empty() ? "" : ", ") + row.name;
     }
-    throw std::runtime_error("no tool " + quoted(word) + "; there are " + known);
+    throw std::runtime_error("no tool " + inQuotes(word) + "; there are " + known);
 }
 
 float numberAfter(Words& words, std::string_view what, float least, float greatest) {
     const std::string_view word = words.next();
     const std::optional<float> number = floatFromText(word);
     if (!number || *number < least || *number > greatest)
-        throw std::runtime_error(std::string(what) + " " + quoted(word) + " is no number from " +
+        throw std::runtime_error(std::string(what) + " " + inQuotes(word) + " is no number from " +
                                  floatText(least) + " to " + floatText(greatest));
     return *number;
 }
 
 }  // namespace
-
-std::string quoted(std::string_view word) {
-    constexpr std::size_t kShown = 60;  // of what may be a file of noise
-    return word.size() <= kShown ? '"' + std::string(word) + '"'
-                                 : '"' + std::string(word.substr(0, kShown)) + "...\"";
-}
-
-std::string floatText(float number) {
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, number).ptr;
-    return {text, end};
-}
-
-std::optional<float> floatFromText(std::string_view text) {
-    float number = 0.0f;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(number))
-        return std::nullopt;
-    return number;
-}
 
 std::string toolText(const Brush& brush) {
     const ToolInfo& tool = toolInfo(brush.tool);
@@ -117,7 +99,7 @@ BrushWords brushFromWords(Words& words, bool ofStroke) {
             const std::string_view name = words.next();
             const auto falloff = place(falloffNames(), name);
             if (!falloff)
-                throw std::runtime_error("no falloff " + quoted(name) +
+                throw std::runtime_error("no falloff " + inQuotes(name) +
                                          "; there are smooth, linear, sharp, constant");
             brush.falloff = static_cast<Falloff>(*falloff);
         } else if (ofStroke && word == "mirror") {

@@ -1,22 +1,12 @@
-// script_text.h -- how numbers and brushes are written in a line of script, and read back bit for
-// bit.
+// script_text.h -- how brushes are written in a line of script, and read back bit for bit.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 
 #include "brush.h"
 
 namespace pelage {
-
-// The shortest text that reads back to the same float.
-std::string floatText(float number);
-// Empty unless all of the text is one finite number.
-std::optional<float> floatFromText(std::string_view text);
-
-// A word in quotation marks, for messages; cut off where it is long.
-std::string quoted(std::string_view word);
 
 // "length set 0.03 strength 0.5": what strokes and floods have in common.
 std::string toolText(const Brush& brush);

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "beside.h"
+#include "text.h"
 
 namespace pelage {
 namespace {

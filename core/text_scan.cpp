@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "beside.h"
+#include "text.h"
 
 namespace pelage {
 namespace {

@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "core/coat.h"
-#include "core/script_text.h"
+#include "core/text.h"
 #include "test_skins.h"
 
 namespace pelage {
@@ -100,20 +100,6 @@ TEST(Script, LineReplaysBitForBit) {
     EXPECT_GT(lines, 60u);
     EXPECT_EQ(painted.editor->stepCount(), lines + 1);
     EXPECT_EQ(replayed.editor->stepCount(), lines + 1);
-}
-
-TEST(Script, NumbersReadBackBitForBit) {
-    Draws draws(32);
-    for (int i = 0; i < 20000; ++i) {
-        const uint bits = draws.below(0x7f800000u) | (draws.below(2) << 31);
-        float number;
-        std::memcpy(&number, &bits, sizeof number);
-        const auto back = floatFromText(floatText(number));
-        ASSERT_TRUE(back);
-        EXPECT_EQ(std::memcmp(&*back, &number, sizeof number), 0);
-    }
-    for (const char* wrong : {"", "nan", "inf", "-inf", "1x", "1e999", "--1", " 1"})
-        EXPECT_FALSE(floatFromText(wrong)) << wrong;
 }
 
 TEST(Script, EachLineIsOneStepWithALabel) {

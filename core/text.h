@@ -1,0 +1,19 @@
+// text.h -- how numbers and foreign words stand in files and in messages.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace pelage {
+
+// The shortest text that reads back to the same float, -0 included; whole numbers below 1e9 without
+// an exponent.
+std::string floatText(float number);
+// Empty unless all of the text is one finite number.
+std::optional<float> floatFromText(std::string_view text);
+
+// A text of a file as it may stand in a message: one line, at most 80 bytes, no control codes.
+std::string inQuotes(std::string_view text);
+
+}  // namespace pelage
