@@ -21,7 +21,7 @@ std::string lengthText(float metres) {
     return text;
 }
 
-float modelRadius(const Skin& skin) { return skin.radius + 0.04f * skin.size(); }
+float modelRadius(const Skin& skin) { return skin.radius + firstLength(skin); }
 
 void frameAll(Session& session, const Skin& skin, float aspect) {
     const bool orthographic = session.camera.orthographic;
@@ -57,7 +57,7 @@ void meetSkin(Session& session, const Skin& skin, float aspect) {
     for (const ToolInfo& info : tools()) {
         Brush& brush = session.brushes[static_cast<std::size_t>(info.tool)];
         brush.tool = info.tool;
-        if (info.tool == Tool::length) brush.value = 0.04f * skin.size();
+        if (info.tool == Tool::length) brush.value = firstLength(skin);
         if (info.tool == Tool::density) brush.value = std::max(brush.value, 0.5f);
         if (info.tool == Tool::mask) brush.value = 1.0f;
     }

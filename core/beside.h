@@ -6,8 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "text.h"
-
 namespace pelage {
 
 // The path of the file that `owner` means by the relative reference `uri`. Percent escapes are

@@ -7,8 +7,7 @@
 namespace pelage {
 namespace {
 
-constexpr float kShareOfSize = 0.04f;  // length of hair nobody has painted, of the bounds' diagonal
-constexpr float kLean = 0.5f;          // its |direction|
+constexpr float kLean = 0.5f;  // |direction| of hair nobody has painted
 // Without segments: down and to the back of an animal that looks along +z.
 constexpr vec3 kDownAndBack{0.0f, -0.8f, -0.6f};
 
@@ -64,13 +63,15 @@ void paintFirst(const Skin& skin, Groom& groom) {
                               : combNear(segments, vertex.segment, vertex.position, size);
         FurVertex fur{};
         fur.direction = laidOnSkin(comb, vertex.normal);
-        fur.furLength = kShareOfSize * size;
+        fur.furLength = firstLength(skin);
         fur.density = 1.0f;
         groom.fur.edit(v) = furToMesh(skin, v, fur);
     }
 }
 
 }  // namespace
+
+float firstLength(const Skin& skin) { return 0.04f * skin.size(); }
 
 Groom initialGroom(const Skin& skin) {
     const std::size_t count = skin.vertices.size();

@@ -17,9 +17,12 @@ struct Groom {
 // The channels a brush, a flood or an overlay can name.
 enum class Channel { length, density, direction, mask };
 
-// The groom of a mesh that nobody has groomed yet: length 4 % of the bounds' diagonal, density 1,
-// combed towards the tail where the skin has segments, otherwise along gravity; in place of that
-// the fields found in the file, bit for bit.
+// Length of hair that nobody has painted, m: 4 % of the bounds' diagonal.
+float firstLength(const Skin& skin);
+
+// The groom of a mesh that nobody has groomed yet: of that length, density 1, combed towards the
+// tail where the skin has segments, otherwise down and back for an animal that looks along +z; in
+// place of that the fields found in the file, bit for bit.
 Groom initialGroom(const Skin& skin);
 
 // The largest and smallest values of a channel over all vertices (direction: of its magnitude).
