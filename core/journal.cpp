@@ -31,6 +31,7 @@ constexpr const char* kExtension = ".journal";
 class File {
 public:
     explicit File(int number) : number_(number) {}
+    File(File&& other) noexcept : number_(other.release()) {}
     File(const File&) = delete;
     File& operator=(const File&) = delete;
     ~File() {
@@ -114,6 +115,29 @@ bool stillNamed(int file) {
     return fstat(file, &status) == 0 && status.st_nlink > 0;
 }
 
+struct NewFile {
+    std::string path;
+    File file;
+};
+
+// An empty journal under a name of its own, locked.
+NewFile newFile(const std::string& folder) {
+    for (;;) {
+        std::string path = folder + "/XXXXXX" + kExtension;
+        const int number =
+            mkostemps(path.data(), static_cast<int>(std::strlen(kExtension)), O_APPEND | O_CLOEXEC);
+        if (number < 0) fail(folder, "no journal can be made there");
+        NewFile made{path, File(number)};
+        if (flock(number, LOCK_EX) != 0) {
+            const int why = errno;
+            unlink(path.c_str());
+            errno = why;
+            fail(path, "cannot be locked");
+        }
+        if (stillNamed(number)) return made;
+    }
+}
+
 }  // namespace
 
 Journal::Journal(std::string folder) {
@@ -122,22 +146,9 @@ Journal::Journal(std::string folder) {
     if (error) throw std::runtime_error(folder + ": cannot be made: " + error.message());
     lostJournals(folder, true);
 
-    for (;;) {
-        std::string path = folder + "/XXXXXX" + kExtension;
-        File file(mkostemps(path.data(), static_cast<int>(std::strlen(kExtension)),
-                            O_APPEND | O_CLOEXEC));
-        if (!file.isOpen()) fail(folder, "no journal can be made there");
-        if (flock(file.number(), LOCK_EX) != 0) {
-            const int why = errno;
-            unlink(path.c_str());
-            errno = why;
-            fail(path, "cannot be locked");
-        }
-        if (!stillNamed(file.number())) continue;
-        path_ = path;
-        file_ = file.release();
-        break;
-    }
+    NewFile made = newFile(folder);
+    path_ = std::move(made.path);
+    file_ = made.file.release();
     syncFolder(folder);
 }
 
@@ -162,9 +173,19 @@ void Journal::append(std::string_view line) {
 
 void Journal::restart(std::string_view line) {
     refuseNewline(path_, line);
-    if (ftruncate(file_, 0) != 0) fail(path_, "cannot be emptied");
-    size_ = 0;
-    append(line);
+    const std::string folder = fs::path(path_).parent_path().string();
+    NewFile made = newFile(folder);
+    const std::string text = std::string(line) + '\n';
+    if (!writeAll(made.file.number(), text) || fdatasync(made.file.number()) != 0 ||
+        rename(made.path.c_str(), path_.c_str()) != 0) {
+        const int why = errno;
+        unlink(made.path.c_str());
+        errno = why;
+        fail(path_, "cannot be begun anew");
+    }
+    close(std::exchange(file_, made.file.release()));
+    size_ = text.size();
+    syncFolder(folder);
 }
 
 std::string journalFolder() {

@@ -22,6 +22,8 @@ public:
     // for a line that holds a newline, which only the name of a file can.
     void append(std::string_view line);
     // Begins anew: what came before is saved elsewhere or given up. `line` is the new first line.
+    // Whoever is killed meanwhile leaves the old lines or the new one; throws like append, and then
+    // the old lines are kept.
     void restart(std::string_view line);
     const std::string& path() const { return path_; }
 

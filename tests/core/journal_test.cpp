@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -55,6 +57,34 @@ TEST_F(JournalTest, RestartBeginsAnew) {
     journal.restart("open cat.glb");
     journal.append("redo");
     EXPECT_EQ(contentOf(journal.path()), "open cat.glb\nredo\n");
+}
+
+TEST_F(JournalTest, AFailedRestartKeepsTheOldLinesAndTheLock) {
+    Journal journal(folder_);
+    journal.append("open fox.glb");
+    journal.append("undo");
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    const auto handler = signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{4096, before.rlim_max};  // as a full disk
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    EXPECT_THROW(journal.restart("open " + std::string(10000, 'x')), std::runtime_error);
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+    signal(SIGXFSZ, handler);
+    journal.append("redo");
+    EXPECT_EQ(contentOf(journal.path()), "open fox.glb\nundo\nredo\n");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+    EXPECT_TRUE(lostWork(folder_).empty());
+}
+
+TEST_F(JournalTest, ARestartedJournalIsStillLocked) {
+    Journal journal(folder_);
+    journal.append("open fox.glb");
+    journal.restart("open cat.glb");
+    journal.append("undo");
+    EXPECT_TRUE(lostWork(folder_).empty());
+    const Journal other(folder_);  // sweeps
+    EXPECT_TRUE(fs::exists(journal.path()));
 }
 
 TEST_F(JournalTest, GoodOrderLeavesNothingBehind) {
