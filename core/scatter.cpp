@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "morton.h"
@@ -41,15 +42,6 @@ uint reversedBits(uint x) {
     x = (x & 0x0f0f0f0fu) << 4 | (x >> 4 & 0x0f0f0f0fu);
     x = (x & 0x00ff00ffu) << 8 | (x >> 8 & 0x00ff00ffu);
     return x << 16 | x >> 16;
-}
-
-// Place of a root on the Morton curve through the skin.
-std::uint64_t placeCode(const Root& root, const Skin& skin) {
-    const uvec3 t = skin.triangles[root.triangle];
-    const vec3 w = baryWeights(root.bary);
-    const vec3 place = w.x * skin.vertices[t.x].position + w.y * skin.vertices[t.y].position +
-                       w.z * skin.vertices[t.z].position;
-    return mortonCode(place, skin.lower, kLastCell / skin.size());
 }
 
 // Triangles along the Morton curve of the vertices, cut into runs of about equal expected hairs.
@@ -110,33 +102,46 @@ void bound(Cluster& cluster, const Skin& skin, std::span<const uint> triangles) 
         }
 }
 
-// The order of the hairs of a cluster such that any prefix is spread evenly: they are numbered
-// along the Morton curve through their places, and taken in the order of the numbers' reversed bits
-// (van der Corput, 1935). Ranks are evenly spaced, so that sums over ranks are exact within a
-// cluster, and start at a random phase, so that they are unbiased over clusters however few hairs
-// each holds.
-void orderByRank(std::span<Root> roots, const Skin& skin, uint seed) {
-    if (roots.empty()) return;
-    struct Entry {
-        std::uint64_t key;
-        Root root;
-    };
-    std::vector<Entry> entries;
-    entries.reserve(roots.size());
-    for (const Root& root : roots) entries.push_back({placeCode(root, skin), root});
-    const auto byKey = [](const Entry& a, const Entry& b) {
-        return a.key != b.key ? a.key < b.key : a.root.id < b.root.id;
-    };
-    std::sort(entries.begin(), entries.end(), byKey);
-    const uint start = pcg(roots.front().triangle ^ pcg(seed ^ kRankStream ^ 1u));
-    for (uint i = 0; i < entries.size(); ++i) entries[i].key = reversedBits(i) ^ start;
-    std::sort(entries.begin(), entries.end(), byKey);
-    for (std::size_t i = 0; i < roots.size(); ++i) roots[i] = entries[i].root;
+// Numbers of the roots in the order of their places on the Morton curve through the cluster.
+std::vector<uint> alongCurve(std::span<const Root> roots, const Cluster& cluster, const Skin& skin) {
+    const vec3 lower = cluster.center - cluster.radius;
+    const float cells = 1023.0f / std::max(2.0f * cluster.radius, 1e-30f);
+    std::vector<std::uint64_t> keys(roots.size());  // place above, number below
+    for (uint i = 0; i < roots.size(); ++i) {
+        const uvec3 t = skin.triangles[roots[i].triangle];
+        const vec3 w = baryWeights(roots[i].bary);
+        const vec3 place = w.x * skin.vertices[t.x].position + w.y * skin.vertices[t.y].position +
+                           w.z * skin.vertices[t.z].position;
+        keys[i] = mortonCode(place, lower, cells) << 32 | i;
+    }
+    std::sort(keys.begin(), keys.end());
+    std::vector<uint> order(keys.size());
+    std::transform(keys.begin(), keys.end(), order.begin(),
+                   [](std::uint64_t key) { return static_cast<uint>(key); });
+    return order;
+}
 
-    const float phase = rand01(pcg(roots.front().triangle ^ pcg(seed ^ kRankStream)));
+// Puts the hairs of a cluster into an order of which any prefix is spread evenly: they are numbered
+// along a curve through their places, and taken in the order of the numbers' reversed bits (van der
+// Corput, 1935). Ranks are evenly spaced, so that sums over ranks are exact within a cluster, and
+// start at a random phase, so that they are unbiased over clusters however few hairs each holds.
+void orderByRank(std::span<Root> roots, const Cluster& cluster, const Skin& skin, uint seed) {
+    if (roots.empty()) return;
+    const std::vector<uint> curve = alongCurve(roots, cluster, skin);
+    const std::vector<Root> before(roots.begin(), roots.end());
+    const uint stream = pcg(roots.front().triangle ^ pcg(seed ^ kRankStream));
+    const float phase = rand01(stream);
     const float step = 1.0f / static_cast<float>(roots.size());
-    for (std::size_t i = 0; i < roots.size(); ++i)
-        roots[i].rank = std::min((static_cast<float>(i) + phase) * step, 0.99999994f);
+    const uint bits = static_cast<uint>(std::bit_width(roots.size()));
+    const uint start = pcg(stream + 1u) >> (32u - bits);
+    uint rank = 0;
+    for (uint j = 0; rank < roots.size(); ++j) {
+        const uint i = reversedBits(j ^ start) >> (32u - bits);
+        if (i >= roots.size()) continue;
+        roots[rank] = before[curve[i]];
+        roots[rank].rank = std::min((static_cast<float>(rank) + phase) * step, 0.99999994f);
+        ++rank;
+    }
 }
 
 }  // namespace
@@ -174,8 +179,8 @@ Roots scatterRoots(const Skin& skin, uint hairs, uint seed) {
                 *next++ = Root{t, packBary(id), id, 0.0f};
             }
         }
-        orderByRank({result.roots.data() + cluster.first, cluster.count}, skin, seed);
         bound(cluster, skin, std::span(order).subspan(runs[r].first, runs[r].end - runs[r].first));
+        orderByRank({result.roots.data() + cluster.first, cluster.count}, cluster, skin, seed);
     });
     std::erase_if(result.clusters, [](const Cluster& c) { return c.count == 0; });
     return result;
@@ -183,9 +188,8 @@ Roots scatterRoots(const Skin& skin, uint hairs, uint seed) {
 
 float autoWidth(const Skin& skin, uint hairs, float taper) {
     if (!(skin.area > 0.0) || hairs == 0) return 0.0f;
-    const double hairLength = 0.04 * skin.size();
     const double density = hairs / skin.area;
-    return static_cast<float>(3.0 / (density * hairLength * (1.0 - 0.5 * taper)));
+    return static_cast<float>(3.0 / (density * firstLength(skin) * (1.0 - 0.5 * taper)));
 }
 
 }  // namespace pelage
