@@ -13,7 +13,6 @@ namespace pelage {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr std::size_t kAnimalTriangles = 60000;
 constexpr std::size_t kLargestJournal = std::size_t{1} << 30;  // bytes
 
 std::string lowerExtension(const std::string& path) {

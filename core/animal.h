@@ -8,6 +8,8 @@
 
 namespace pelage {
 
+constexpr std::size_t kAnimalTriangles = 60'000;  // where nobody says how many
+
 // A closed, manifold, outward-facing skin with unit normals, UVs without overlap, a base-color
 // picture and named segments (head, ears, neck, trunk, legs, feet, tail) with head-to-tail axes.
 // About 1 m long, standing on y = 0, looking along +z. `triangles` in [2000, 2000000]; the count

@@ -18,7 +18,6 @@ namespace pelage {
 namespace {
 
 constexpr std::size_t kLargestScript = std::size_t{1} << 30;  // bytes
-constexpr std::size_t kAnimalTriangles = 100000;              // of "animal" without a number
 
 Editor& editorOf(Workspace& workspace) {
     if (!workspace.editor) throw std::runtime_error("nothing is open yet");

@@ -15,7 +15,7 @@ struct Options {
     InputOptions input;
     std::string output;
     ExportOptions glb;
-    std::size_t triangles = 50'000;
+    std::size_t triangles = kAnimalTriangles;
 };
 
 void addOutput(CLI::App& verb, Options& options) {

@@ -14,7 +14,6 @@
 namespace pelage {
 namespace {
 
-constexpr std::size_t kAnimalTriangles = 50'000;
 constexpr const char* kFolder = "pelage-out";
 constexpr ivec2 kSize{1200, 900};
 
