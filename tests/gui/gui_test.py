@@ -211,7 +211,7 @@ class EditorInAWindow(unittest.TestCase):
         editor.do("mouseup", 1)
 
         again = self.start(self.mesh)
-        self.assertEqual(again.expect("lost"), "1 " + self.mesh)
+        self.assertEqual(again.expect("lost"), "1 " + os.path.normpath(self.mesh))
         again.ready()
         self.shoot("lost.png")
         again.key("Return")
