@@ -31,8 +31,6 @@ struct Corner {  // one per source vertex
 struct Material {
     vec3 color;   // linear RGB factor
     float layer;  // of the texture array, -1 = none
-    vec2 scale;   // from unit texture coordinates to the part of the layer in use
-    vec2 pad;
 };
 
 layout(std430, binding = 0) readonly buffer SkinVertices { SkinVertex skinVertices[]; };

@@ -11,8 +11,6 @@ namespace pelage {
 struct MaterialData {  // as Material in shaders/frame.glsl
     vec3 color{1.0f};
     float layer = -1.0f;
-    vec2 scale{1.0f};
-    vec2 pad{0.0f};
 };
 
 struct BaseColors {
