@@ -14,24 +14,24 @@ constexpr int kVersion = 1;
 
 // Numbers are float, so that the shortest text that reads back bit for bit is written (0.3, not
 // 0.30000001192092896); names stay in the order of the table.
-using Json = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool,
-                                  std::int64_t, std::uint64_t, float>;
+using FurJson = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool,
+                                     std::int64_t, std::uint64_t, float>;
 
 [[noreturn]] void fail(const std::string& what) { throw std::runtime_error("extras.fur: " + what); }
 
 template <class Object>
-Json valueToJson(const Object& object, const Parameter& row) {
+FurJson valueToJson(const Object& object, const Parameter& row) {
     if (row.kind == ParameterKind::count) {
         uint count = 0;
         std::memcpy(&count, reinterpret_cast<const std::byte*>(&object) + row.offset, sizeof count);
         return count;
     }
     const vec3 value = parameterValue(object, row);
-    if (row.components() == 3) return Json::array({value.x, value.y, value.z});
+    if (row.components() == 3) return FurJson::array({value.x, value.y, value.z});
     return value.x;
 }
 
-uint countFromJson(const Json& json, const std::string& path, const Parameter& row) {
+uint countFromJson(const FurJson& json, const std::string& path, const Parameter& row) {
     if (json.is_number_unsigned()) return checkedCount(path, row, json.get<std::uint64_t>());
     if (json.is_number()) {
         // Some writers know only floating-point numbers: 100000.0.
@@ -44,7 +44,7 @@ uint countFromJson(const Json& json, const std::string& path, const Parameter& r
     throw std::runtime_error(path + " is not a whole number, range " + rangeText(row));
 }
 
-vec3 valueFromJson(const Json& json, const std::string& path, const Parameter& row) {
+vec3 valueFromJson(const FurJson& json, const std::string& path, const Parameter& row) {
     vec3 value{0.0f};
     if (row.components() == 1) {
         if (!json.is_number()) {
@@ -68,7 +68,7 @@ vec3 valueFromJson(const Json& json, const std::string& path, const Parameter& r
 
 // Reads the rows that are there; `prefix` is "over.", "under." or "".
 template <class Object>
-void readRows(Object& object, std::span<const Parameter> rows, const Json& json,
+void readRows(Object& object, std::span<const Parameter> rows, const FurJson& json,
               const std::string& prefix) {
     for (const Parameter& row : rows) {
         const auto found = json.find(row.name);
@@ -83,14 +83,14 @@ void readRows(Object& object, std::span<const Parameter> rows, const Json& json,
     }
 }
 
-void readCoat(Coat& coat, const Json& json, const std::string& name) {
+void readCoat(Coat& coat, const FurJson& json, const std::string& name) {
     const auto found = json.find(name);
     if (found == json.end()) return;
     if (!found->is_object()) throw std::runtime_error(name + " is not an object");
     readRows(coat, coatParameters(), *found, name + ".");
 }
 
-void checkVersion(const Json& json) {
+void checkVersion(const FurJson& json) {
     const auto version = json.find("version");
     if (version == json.end()) return;
     if (!version->is_number_integer() || version->get<std::int64_t>() < 1) {
@@ -106,7 +106,7 @@ void checkVersion(const Json& json) {
 }  // namespace
 
 std::string furToJson(const Fur& fur, int indent) {
-    Json json = {{"version", kVersion}};
+    FurJson json = {{"version", kVersion}};
     for (const Parameter& row : furParameters()) json[row.name] = valueToJson(fur, row);
     for (const Parameter& row : coatParameters()) {
         json["over"][row.name] = valueToJson(fur.over, row);
@@ -116,10 +116,10 @@ std::string furToJson(const Fur& fur, int indent) {
 }
 
 Fur furFromJson(std::string_view text) {
-    Json json;
+    FurJson json;
     try {
-        json = Json::parse(text);
-    } catch (const Json::exception& error) {
+        json = FurJson::parse(text);
+    } catch (const FurJson::exception& error) {
         fail("not JSON: " + std::string(error.what()));
     }
     if (!json.is_object()) fail("not a JSON object");

@@ -10,12 +10,12 @@
 namespace pelage {
 namespace {
 
-Json jsonOf(FieldRange range) { return {{"min", range.least}, {"max", range.greatest}}; }
-Json jsonOf(vec3 v) { return Json::array({v.x, v.y, v.z}); }
+OrderedJson jsonOf(FieldRange range) { return {{"min", range.least}, {"max", range.greatest}}; }
+OrderedJson jsonOf(vec3 v) { return OrderedJson::array({v.x, v.y, v.z}); }
 
 // Ranges of the fields that the file holds, in the file's own units; empty when it holds none.
-Json fieldsOf(const Document& document) {
-    Json fields = Json::object();
+OrderedJson fieldsOf(const Document& document) {
+    OrderedJson fields = OrderedJson::object();
     if (!document.skin->source->fur) return fields;
     fields["length"] = jsonOf(fieldRange(document.groom, Channel::length));
     fields["density"] = jsonOf(fieldRange(document.groom, Channel::density));
@@ -23,11 +23,11 @@ Json fieldsOf(const Document& document) {
     return fields;
 }
 
-Json infoOf(const std::string& file, const Document& document) {
+OrderedJson infoOf(const std::string& file, const Document& document) {
     const Skin& skin = *document.skin;
     const LoadReport& report = skin.report;
     const CarriedCounts carried = carriedCounts(*skin.source);
-    Json segments = Json::array();
+    OrderedJson segments = OrderedJson::array();
     for (const Segment& segment : skin.segments()) segments.push_back(segment.name);
     return {{"file", file},
             {"vertices", report.vertices},
@@ -51,17 +51,17 @@ Json infoOf(const std::string& file, const Document& document) {
             {"warnings", report.warnings}};
 }
 
-std::string number(const Json& value) {
+std::string number(const OrderedJson& value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.6g", value.get<double>());
     return text;
 }
 
-std::string vectorText(const Json& v) {
+std::string vectorText(const OrderedJson& v) {
     return number(v[0]) + " " + number(v[1]) + " " + number(v[2]);
 }
 
-std::string textOf(const Json& info) {
+std::string textOf(const OrderedJson& info) {
     std::string text = info["file"].get<std::string>() + "\n";
     const auto line = [&](const std::string& name, const std::string& value) {
         text.append("  ").append(name).append(18 - name.size(), ' ').append(value).append("\n");
@@ -94,7 +94,7 @@ void addInfo(CLI::App& app, bool& json) {
     verb->add_option("FILE", *file, "A .glb, .gltf, .obj, .ply, .off or .stl file")->required();
     addJsonFlag(*verb, json);
     verb->callback([file, &json] {
-        const Json info = infoOf(*file, openDocument(readSource(*file)));
+        const OrderedJson info = infoOf(*file, openDocument(readSource(*file)));
         if (json) {
             printJson(info);
         } else {

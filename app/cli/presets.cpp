@@ -10,11 +10,11 @@ namespace {
 
 void listPresets(bool json) {
     if (json) {
-        Json list = Json::array();
+        OrderedJson list = OrderedJson::array();
         for (const Preset& preset : presets()) {
             list.push_back({{"name", preset.name},
                             {"about", preset.about},
-                            {"fur", Json::parse(furToJson(preset.fur))}});
+                            {"fur", OrderedJson::parse(furToJson(preset.fur))}});
         }
         printJson({{"presets", list}});
         return;

@@ -15,8 +15,8 @@ void print(const std::string& text) {
     }
 }
 
-void printJson(const Json& object) {
-    print(object.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+void printJson(const OrderedJson& object) {
+    print(object.dump(-1, ' ', false, OrderedJson::error_handler_t::replace) + "\n");
 }
 
 std::string bytesText(std::size_t bytes) {

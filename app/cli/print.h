@@ -6,13 +6,13 @@
 
 namespace pelage {
 
-using Json = nlohmann::ordered_json;  // numbers are double: floats are printed exactly
+using OrderedJson = nlohmann::ordered_json;  // numbers are double: floats are printed exactly
 
 // Writes text to stdout and flushes it. Throws std::runtime_error when stdout takes no more.
 void print(const std::string& text);
 
 // One object and a newline. Bytes that are not UTF-8 (file names may hold them) become U+FFFD.
-void printJson(const Json& object);
+void printJson(const OrderedJson& object);
 
 // "1.5 MB"
 std::string bytesText(std::size_t bytes);

@@ -71,8 +71,9 @@ View viewOf(const Document& document, const Options& options) {
     return view;
 }
 
-Json jsonOf(const Options& options, const Document& document, const View& view,
-            const FrameStats& stats, const std::vector<double>& times, const Renderer& renderer) {
+OrderedJson jsonOf(const Options& options, const Document& document, const View& view,
+                   const FrameStats& stats, const std::vector<double>& times,
+                   const Renderer& renderer) {
     return {{"output", options.output},
             {"width", view.size.x},
             {"height", view.size.y},
@@ -92,7 +93,7 @@ Json jsonOf(const Options& options, const Document& document, const View& view,
             {"device", renderer.device()}};
 }
 
-std::string textOf(const Json& result) {
+std::string textOf(const OrderedJson& result) {
     char times[64];
     std::snprintf(times, sizeof times, "%.1f ms a frame", result["msFrame"].get<double>());
     return "wrote " + result["output"].get<std::string>() + ": " + result["width"].dump() + "x" +
@@ -109,7 +110,7 @@ void render(const Options& options, bool json) {
     const std::vector<double> times = timeFrames(renderer, document, view, options.repeat);
     const FrameStats stats = drawFinished(renderer, document, view);
     writePicture(options.output, renderer, view.size);
-    const Json result = jsonOf(options, document, view, stats, times, renderer);
+    const OrderedJson result = jsonOf(options, document, view, stats, times, renderer);
     if (json) {
         printJson(result);
     } else {

@@ -49,7 +49,7 @@ void runShowcase(const std::string& file, bool json) {
     const HeadlessContext context;
     Renderer renderer;
     std::filesystem::create_directories(kFolder);
-    Json written = Json::array();
+    OrderedJson written = OrderedJson::array();
     for (const Angle& angle : kAngles) {
         View view;
         view.size = kSize;
