@@ -7,13 +7,11 @@
 #include "app/app.h"
 #include "app/export_check.h"
 #include "core/animal.h"
-#include "core/files.h"
 
 namespace pelage {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr std::size_t kLargestJournal = std::size_t{1} << 30;  // bytes
 
 std::string lowerExtension(const std::string& path) {
     std::string extension = fs::path(path).extension().string();
@@ -68,7 +66,7 @@ void adopt(App& app, Workspace opened, const std::string& path) {
 std::string proposedName(const App& app) { return fs::path(app.name).stem().string() + ".glb"; }
 
 // Goes on where an editor that was killed had ended: its journal becomes ours.
-void takeOverJournal(App& app, const LostWork& lost, Workspace opened, const std::string& text) {
+void takeOverJournal(App& app, const LostWork& lost, Workspace opened, const std::string& lines) {
     const bool animal = lost.document == "animal";
     // A file beside the journal is no file of the user's.
     const bool own = fs::path(lost.document).parent_path() == fs::path(lost.path).parent_path();
@@ -76,11 +74,11 @@ void takeOverJournal(App& app, const LostWork& lost, Workspace opened, const std
     if (own) app.file.clear();
     app.restored = true;
     if (app.journal) {
-        std::size_t end = text.find('\n');
-        restartJournal(app, text.substr(0, end));
+        std::size_t end = lines.find('\n');
+        restartJournal(app, lines.substr(0, end));
         app.journalStep = 0;
-        for (std::size_t at = end + 1; (end = text.find('\n', at)) != text.npos; at = end + 1)
-            app.journal->append(text.substr(at, end - at));
+        for (std::size_t at = end + 1; (end = lines.find('\n', at)) != lines.npos; at = end + 1)
+            app.journal->append(lines.substr(at, end - at));
     }
     if (own) app.snapshot = lost.document;
     discardLostWork(lost);
@@ -208,11 +206,9 @@ void restoreWork(App& app, const LostWork& lost) {
         app, "Restoring unsaved work",
         [&app, lost](Progress&) -> Finish {
             auto opened = std::make_shared<Workspace>();
-            replayJournal(*opened, lost.path);
-            const auto bytes = readFile(lost.path, kLargestJournal);
-            const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-            return [&app, lost, opened, text] {
-                takeOverJournal(app, lost, std::move(*opened), text);
+            const std::string lines = replayJournal(*opened, lost.path);
+            return [&app, lost, opened, lines] {
+                takeOverJournal(app, lost, std::move(*opened), lines);
             };
         },
         "Restoring cancelled; the work is offered again at the next start");

@@ -17,7 +17,12 @@
 namespace pelage {
 namespace {
 
-constexpr std::size_t kLargestScript = std::size_t{1} << 30;  // bytes
+// Of a script or a journal.
+std::string textOfFile(const std::string& path) {
+    constexpr std::size_t kLargest = std::size_t{1} << 30;  // bytes
+    const std::vector<std::byte> bytes = readFile(path, kLargest);
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
 
 Editor& editorOf(Workspace& workspace) {
     if (!workspace.editor) throw std::runtime_error("nothing is open yet");
@@ -246,14 +251,14 @@ void runLine(Workspace& workspace, std::string_view line) {
 }
 
 void runScript(Workspace& workspace, const std::string& path) {
-    const std::vector<std::byte> bytes = readFile(path, kLargestScript);
-    runText(workspace, path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    runText(workspace, path, textOfFile(path));
 }
 
-void replayJournal(Workspace& workspace, const std::string& path) {
-    const std::vector<std::byte> bytes = readFile(path, kLargestScript);
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    runText(workspace, path, text.substr(0, text.rfind('\n') + 1));
+std::string replayJournal(Workspace& workspace, const std::string& path) {
+    std::string text = textOfFile(path);
+    text.resize(text.rfind('\n') + 1);
+    runText(workspace, path, text);
+    return text;
 }
 
 std::string setLine(const Fur& before, const Fur& after) {

@@ -55,8 +55,8 @@ void runLine(Workspace& workspace, std::string_view line);
 void runScript(Workspace& workspace, const std::string& path);
 
 // Runs the journal of an editor that was killed: as a script, but a last line without its newline
-// was never finished and is left out.
-void replayJournal(Workspace& workspace, const std::string& path);
+// was never finished and is left out. Returns the lines that were run, each with its newline.
+std::string replayJournal(Workspace& workspace, const std::string& path);
 
 // The line that makes `after` of `before`, bit for bit: "set over.stiffness 0.3 fur.hairs 90000".
 // Empty when they are equal.

@@ -305,6 +305,13 @@ TEST_F(ScriptFile, LastLineNeedsNoNewlineInAScriptButInAJournal) {
     EXPECT_EQ(journal.editor->document().groom.fur[0].density, 0.25f);
 }
 
+TEST_F(ScriptFile, ReplayReturnsTheLinesThatWereRun) {
+    const std::string lines = "flood density set 0.25\n\nflood density set 0.5\n";
+    Workspace workspace = onBall();
+    EXPECT_EQ(replayJournal(workspace, write(lines + "flood density se")), lines);
+    EXPECT_EQ(replayJournal(workspace, write("flood")), "");
+}
+
 TEST_F(ScriptFile, TornJournalReplaysItsCompleteLinesWhereverItIsCut) {
     Draws draws(34);
     Workspace painted = onBall();
