@@ -2,6 +2,7 @@
 #include "coat.h"
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -68,33 +69,37 @@ constexpr Parameter kFurRows[] = {
      offsetof(Fur, seed)},
 };
 
-// A count at least 0 and at most what the row and 32 bits hold; the value is not NaN.
-uint clampedCount(float value, const Parameter& row) {
-    const float clamped = std::clamp(value, row.least, row.greatest);
+// The nearest count that the row and 32 bits hold; the value is not NaN.
+uint clampedCount(double value, const Parameter& row) {
+    const double clamped = std::clamp<double>(value, row.least, row.greatest);
     if (clamped >= kMaxUint) return std::numeric_limits<uint>::max();
-    return static_cast<uint>(std::lround(static_cast<double>(clamped)));
+    return static_cast<uint>(std::lround(clamped));
+}
+
+uint countAt(const std::byte* object, const Parameter& row) {
+    assert(row.kind == Kind::count);
+    uint count = 0;
+    std::memcpy(&count, object + row.offset, sizeof count);
+    return count;
+}
+
+void setCountAt(std::byte* object, const Parameter& row, double value) {
+    assert(row.kind == Kind::count);
+    if (std::isnan(value)) return;
+    const uint count = clampedCount(value, row);
+    std::memcpy(object + row.offset, &count, sizeof count);
 }
 
 vec3 valueAt(const std::byte* object, const Parameter& row) {
-    const std::byte* field = object + row.offset;
-    if (row.kind == Kind::count) {
-        uint count = 0;
-        std::memcpy(&count, field, sizeof count);
-        return {static_cast<float>(count), 0.0f, 0.0f};
-    }
+    if (row.kind == Kind::count) return {static_cast<float>(countAt(object, row)), 0.0f, 0.0f};
     vec3 value{0.0f};
-    std::memcpy(&value, field, sizeof(float) * static_cast<std::size_t>(row.components()));
+    std::memcpy(&value, object + row.offset,
+                sizeof(float) * static_cast<std::size_t>(row.components()));
     return value;
 }
 
 void setValueAt(std::byte* object, const Parameter& row, vec3 value) {
-    std::byte* field = object + row.offset;
-    if (row.kind == Kind::count) {
-        if (std::isnan(value.x)) return;
-        const uint count = clampedCount(value.x, row);
-        std::memcpy(field, &count, sizeof count);
-        return;
-    }
+    if (row.kind == Kind::count) return setCountAt(object, row, value.x);
     if (row.kind == Kind::direction) {
         const std::optional<vec3> unit = unitDirection(value);
         if (!unit) return;
@@ -104,7 +109,8 @@ void setValueAt(std::byte* object, const Parameter& row, vec3 value) {
         if (std::isnan(value[i])) return;
         value[i] = std::clamp(value[i], row.least, row.greatest);
     }
-    std::memcpy(field, &value, sizeof(float) * static_cast<std::size_t>(row.components()));
+    std::memcpy(object + row.offset, &value,
+                sizeof(float) * static_cast<std::size_t>(row.components()));
 }
 
 // The row of that name, or null.
@@ -164,8 +170,7 @@ template <class Object>
 void setFromText(Object& object, const std::string& path, const Parameter& row,
                  std::string_view text) {
     if (row.kind == Kind::count) {
-        const uint count = parseCount(path, row, text);
-        std::memcpy(reinterpret_cast<std::byte*>(&object) + row.offset, &count, sizeof count);
+        setParameterCount(object, row, parseCount(path, row, text));
     } else {
         setParameter(object, row, parseValue(path, row, text));
     }
@@ -228,6 +233,22 @@ void setParameter(Coat& coat, const Parameter& row, vec3 value) {
 
 void setParameter(Fur& fur, const Parameter& row, vec3 value) {
     setValueAt(reinterpret_cast<std::byte*>(&fur), row, value);
+}
+
+uint parameterCount(const Coat& coat, const Parameter& row) {
+    return countAt(reinterpret_cast<const std::byte*>(&coat), row);
+}
+
+uint parameterCount(const Fur& fur, const Parameter& row) {
+    return countAt(reinterpret_cast<const std::byte*>(&fur), row);
+}
+
+void setParameterCount(Coat& coat, const Parameter& row, uint count) {
+    setCountAt(reinterpret_cast<std::byte*>(&coat), row, count);
+}
+
+void setParameterCount(Fur& fur, const Parameter& row, uint count) {
+    setCountAt(reinterpret_cast<std::byte*>(&fur), row, count);
 }
 
 void setParameter(Fur& fur, std::string_view path, std::string_view value) {

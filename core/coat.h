@@ -44,6 +44,12 @@ vec3 parameterValue(const Fur& fur, const Parameter& row);
 void setParameter(Coat& coat, const Parameter& row, vec3 value);
 void setParameter(Fur& fur, const Parameter& row, vec3 value);
 
+// The same for rows of counts, exactly: a float holds no more than 24 bits of a count.
+uint parameterCount(const Coat& coat, const Parameter& row);
+uint parameterCount(const Fur& fur, const Parameter& row);
+void setParameterCount(Coat& coat, const Parameter& row, uint count);
+void setParameterCount(Fur& fur, const Parameter& row, uint count);
+
 // Sets one parameter from text: "over.stiffness" and "0.3", "under.tipColor" and "1,0.9,0.8".
 // Throws std::runtime_error naming the parameter, the text and the range; nothing is changed then.
 void setParameter(Fur& fur, std::string_view path, std::string_view value);

@@ -1,6 +1,5 @@
 // coat_json.cpp -- the fur as the JSON object of extras.fur, and back; the only reader and writer.
 #include <cmath>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -21,11 +20,7 @@ using FurJson = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::st
 
 template <class Object>
 FurJson valueToJson(const Object& object, const Parameter& row) {
-    if (row.kind == ParameterKind::count) {
-        uint count = 0;
-        std::memcpy(&count, reinterpret_cast<const std::byte*>(&object) + row.offset, sizeof count);
-        return count;
-    }
+    if (row.kind == ParameterKind::count) return parameterCount(object, row);
     const vec3 value = parameterValue(object, row);
     if (row.components() == 3) return FurJson::array({value.x, value.y, value.z});
     return value.x;
@@ -75,8 +70,7 @@ void readRows(Object& object, std::span<const Parameter> rows, const FurJson& js
         if (found == json.end()) continue;
         const std::string path = prefix + row.name;
         if (row.kind == ParameterKind::count) {
-            const uint count = countFromJson(*found, path, row);
-            std::memcpy(reinterpret_cast<std::byte*>(&object) + row.offset, &count, sizeof count);
+            setParameterCount(object, row, countFromJson(*found, path, row));
         } else {
             setParameter(object, row, valueFromJson(*found, path, row));
         }

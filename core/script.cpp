@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <stdexcept>
 #include <utility>
 
@@ -178,12 +177,7 @@ void runText(Workspace& workspace, const std::string& path, std::string_view tex
 // The value of a row as text that sets it again bit for bit.
 template <class Object>
 std::string valueText(const Object& object, const Parameter& row) {
-    if (row.kind == ParameterKind::count) {
-        // Not through parameterValue: a float holds no more than 24 bits of a count.
-        uint count = 0;
-        std::memcpy(&count, reinterpret_cast<const std::byte*>(&object) + row.offset, sizeof count);
-        return std::to_string(count);
-    }
+    if (row.kind == ParameterKind::count) return std::to_string(parameterCount(object, row));
     const vec3 value = parameterValue(object, row);
     std::string text = floatText(value[0]);
     for (int i = 1; i < row.components(); ++i) text += ',' + floatText(value[i]);

@@ -1,6 +1,7 @@
 // coat_test.cpp -- the promises of coat.h.
 #include "core/coat.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -140,6 +141,24 @@ TEST(Coat, CountsAreClampedAndRounded) {
         EXPECT_EQ(parameterValue(fur, row).x, row.greatest);
         setParameter(fur, row, vec3(12.6f));
         EXPECT_EQ(parameterValue(fur, row).x, 13.0f);
+    }
+}
+
+TEST(Coat, ParameterCountsAreExactAndClampedToTheRangeOfTheRow) {
+    constexpr uint kMost = std::numeric_limits<uint>::max();
+    for (const Parameter& row : furParameters()) {
+        if (row.kind != ParameterKind::count) continue;
+        Fur fur = defaultFur();
+        for (const uint count : {0u, 1u, 16'777'217u, kMost - 1, kMost}) {
+            setParameterCount(fur, row, count);
+            const uint greatest = row.greatest < 4e9f ? static_cast<uint>(row.greatest) : kMost;
+            EXPECT_EQ(parameterCount(fur, row), std::min(count, greatest)) << row.name;
+        }
+        setParameterCount(fur, row, 4'999'999u);
+        EXPECT_EQ(parameterCount(fur, row), 4'999'999u) << row.name;
+        Fur expected = defaultFur();
+        (row.name == std::string("seed") ? expected.seed : expected.hairs) = 4'999'999u;
+        EXPECT_EQ(fur, expected) << row.name;  // and nothing else
     }
 }
 
