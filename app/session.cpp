@@ -38,7 +38,7 @@ void turnTo(Session& session, float yaw, float pitch) {
 void setRadius(Session& session, const Skin& skin, float radius) {
     const float size = skin.size();
     for (Brush& brush : session.brushes)
-        brush.radius = std::clamp(radius, 0.002f * size, 0.5f * size);
+        brush.radius = std::clamp(radius, kSmallestRadius * size, kLargestRadius * size);
 }
 
 void setStrength(Session& session, float strength) {
@@ -61,7 +61,7 @@ void meetSkin(Session& session, const Skin& skin, float aspect) {
         if (info.tool == Tool::density) brush.value = std::max(brush.value, 0.5f);
         if (info.tool == Tool::mask) brush.value = 1.0f;
     }
-    setRadius(session, skin, 0.05f * skin.size());
+    setRadius(session, skin, kFirstRadius * skin.size());
     session.camera = Camera{};
     session.camera.yaw = 0.9f;  // from the animal's left shoulder, a little from above
     session.camera.pitch = 0.25f;

@@ -45,7 +45,10 @@ float modelRadius(const Skin& skin);
 // Brushes and camera for an animal that was just opened; view options and brush habits stay.
 void meetSkin(Session& session, const Skin& skin, float aspect);
 
-void setRadius(Session& session, const Skin& skin, float radius);  // clamped to sane sizes
+// Radii of brushes, in sizes of the skin: of an animal that was just opened, and the limits.
+inline constexpr float kFirstRadius = 0.05f, kSmallestRadius = 0.002f, kLargestRadius = 0.5f;
+
+void setRadius(Session& session, const Skin& skin, float radius);  // clamped to the limits
 void setStrength(Session& session, float strength);
 void setMirror(Session& session, bool on);
 void setFacingOnly(Session& session, bool on);

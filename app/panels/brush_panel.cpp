@@ -53,9 +53,9 @@ void drawNumbers(App& app, Brush& brush) {
     char format[24];
     std::snprintf(format, sizeof format, "%%.2f %s", unit.name);
     if (const auto radius = numberRow(ui, "Radius", brush.radius * unit.perMetre,
-                                      {.least = 0.002f * size * unit.perMetre,
-                                       .greatest = 0.5f * size * unit.perMetre,
-                                       .fallback = 0.05f * size * unit.perMetre,
+                                      {.least = kSmallestRadius * size * unit.perMetre,
+                                       .greatest = kLargestRadius * size * unit.perMetre,
+                                       .fallback = kFirstRadius * size * unit.perMetre,
                                        .format = format,
                                        .logarithmic = true,
                                        .help = "Radius of the brush on the skin. [ and ] or F."});
@@ -72,11 +72,12 @@ void drawNumbers(App& app, Brush& brush) {
     if (!info.hasModes) return;
     const bool length = brush.tool == Tool::length;
     const float scale = length ? unit.perMetre : 1.0f;
+    const float first = !length ? 1.0f : app.isOpen() ? firstLength(app.skin()) : brush.value;
     ImGui::BeginDisabled(brush.mode != Mode::set);
     if (const auto value = numberRow(ui, "Value", brush.value * scale,
                                      {.least = info.least * (length ? size : 1.0f) * scale,
                                       .greatest = info.greatest * (length ? size : 1.0f) * scale,
-                                      .fallback = (length ? 0.04f * size : 1.0f) * scale,
+                                      .fallback = first * scale,
                                       .format = length ? format : "%.2f",
                                       .help = "What Set paints."}))
         brush.value = *value / scale;
