@@ -4,11 +4,19 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cassert>
 
-#include "strand.h"
-
 namespace pelage {
+
+// Functions of their own, not those of strand.h: the compiler then leaves out what a polyline does
+// not need of a hair, which makes the loop a fifth faster.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+namespace {
+#include "strand_source.h"
+}  // namespace
+#pragma GCC diagnostic pop
 
 Curves growCurves(const Document& document, const Roots& roots, uint segments) {
     assert(segments >= 1 && segments <= 64);
@@ -33,6 +41,7 @@ Curves growCurves(const Document& document, const Roots& roots, uint segments) {
     // Every hair has its place by its root; those that do not grow are squeezed out afterwards.
     Curves curves;
     const uint points = segments + 1;
+    const float step = 1.0f / static_cast<float>(segments);
     const std::size_t count = roots.roots.size();
     curves.pointsPerHair = points;
     curves.points.resize(count * points);
@@ -48,7 +57,7 @@ Curves growCurves(const Document& document, const Roots& roots, uint segments) {
             if (!grows) continue;
             for (uint p = 0; p < points; ++p)
                 curves.points[i * points + p] =
-                    strandPoint(s, static_cast<float>(p) / static_cast<float>(segments));
+                    strandPoint(s, p < segments ? static_cast<float>(p) * step : 1.0f);
         }
     });
 

@@ -1,9 +1,6 @@
 // strands_out.h -- the hairs of a document as curves, computed on the CPU.
 #pragma once
 
-#include <memory>
-#include <new>
-#include <utility>
 #include <vector>
 
 #include "document.h"
