@@ -7,24 +7,17 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <stdexcept>
 
 #include "core/strand.h"
 #include "gtest/gtest.h"
+#include "reading.h"
 
 namespace pelage {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+using test::refusal;
 
-std::string messageOf(const auto& action) {
-    try {
-        action();
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
-    return "nothing was thrown";
-}
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 bool sameBits(const Fur& a, const Fur& b) { return std::memcmp(&a, &b, sizeof(Fur)) == 0; }
 
@@ -200,7 +193,7 @@ TEST(Coat, TextSetsOneCoatOrBothOrWhatTheyShare) {
 TEST(Coat, WrongTextIsRefusedByNameTextAndRangeAndChangesNothing) {
     Fur fur = defaultFur();
     const auto message = [&](const char* path, const char* text) {
-        return messageOf([&] { setParameter(fur, path, text); });
+        return refusal([&] { setParameter(fur, path, text); });
     };
     EXPECT_EQ(message("over.stiffness", "3"), "over.stiffness is 3, range 0..1");
     EXPECT_EQ(message("both.shininess", "0.5"), "both.shininess is 0.5, range 1..256");
@@ -300,7 +293,7 @@ TEST(CoatJson, MissingValuesTakeTheDefaultsAndUnknownOnesAreIgnored) {
 }
 
 TEST(CoatJson, WhatIsWrongIsNamedWithItsRange) {
-    const auto message = [](const char* json) { return messageOf([&] { furFromJson(json); }); };
+    const auto message = [](const char* json) { return refusal([&] { furFromJson(json); }); };
     EXPECT_EQ(message(R"({"over":{"stiffness":3}})"),
               "extras.fur: over.stiffness is 3, range 0..1");
     EXPECT_EQ(message(R"({"under":{"shininess":0}})"),
@@ -372,7 +365,7 @@ TEST(Presets, TheMonkeysHaveTheValuesOfThePaper) {
 }
 
 TEST(Presets, AnUnknownNameListsTheNamesThereAre) {
-    const std::string text = messageOf([] { presetNamed("poodle"); });
+    const std::string text = refusal([] { presetNamed("poodle"); });
     EXPECT_EQ(text.find("there is no preset \"poodle\"; there are "), 0u) << text;
     for (const Preset& preset : presets()) {
         EXPECT_NE(text.find(preset.name), std::string::npos) << text;

@@ -10,10 +10,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
+#include "reading.h"
 #include "test_skins.h"
 
 namespace pelage {
@@ -23,13 +23,6 @@ namespace fs = std::filesystem;
 
 class JournalTest : public testing::Test {
 protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "pelage-journal-XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     static std::string contentOf(const std::string& path) {
         std::stringstream text;
         text << std::ifstream(path, std::ios::binary).rdbuf();
@@ -37,10 +30,11 @@ protected:
     }
     // A journal whose editor is gone.
     void leaveBehind(const std::string& name, const std::string& content) const {
-        std::ofstream(folder_ + "/" + name, std::ios::binary) << content;
+        temporary_.write(name, content);
     }
 
-    std::string folder_;
+    const test::TempFolder temporary_;
+    const std::string folder_ = temporary_.path();
 };
 
 TEST_F(JournalTest, MakesItsFolderAndKeepsEachLine) {
@@ -73,7 +67,7 @@ TEST_F(JournalTest, AFailedRestartKeepsTheOldLinesAndTheLock) {
     signal(SIGXFSZ, handler);
     journal.append("redo");
     EXPECT_EQ(contentOf(journal.path()), "open fox.glb\nundo\nredo\n");
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+    EXPECT_EQ(temporary_.fileCount(), 1u);
     EXPECT_TRUE(lostWork(folder_).empty());
 }
 

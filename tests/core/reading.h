@@ -47,6 +47,7 @@ public:
     TempFolder(const TempFolder&) = delete;
     TempFolder& operator=(const TempFolder&) = delete;
 
+    std::string path() const { return path_.string(); }
     std::string path(const std::string& name) const { return (path_ / name).string(); }
     std::string write(const std::string& name, std::span<const std::byte> bytes) const {
         std::filesystem::create_directories((path_ / name).parent_path());

@@ -2,22 +2,21 @@
 #include "core/script.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <stdexcept>
 
 #include "core/coat.h"
 #include "core/text.h"
+#include "reading.h"
 #include "test_skins.h"
 
 namespace pelage {
 namespace {
 
 using test::Draws;
+using test::refusal;
+using test::TempFolder;
 
 Workspace onBall() {
     Workspace workspace;
@@ -34,12 +33,7 @@ bool sameBits(const Document& a, const Document& b) {
 }
 
 std::string errorOf(Workspace& workspace, std::string_view line) {
-    try {
-        runLine(workspace, line);
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
-    return {};
+    return refusal([&] { runLine(workspace, line); });
 }
 
 Brush randomBrush(Draws& draws) {
@@ -66,25 +60,6 @@ std::string strokeByHand(Workspace& workspace, Draws& draws) {
     }
     return workspace.release();
 }
-
-class ScriptFile : public testing::Test {
-protected:
-    void SetUp() override {
-        std::string name =
-            (std::filesystem::temp_directory_path() / "pelage-script-XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
-    std::string write(const std::string& text) const {
-        const std::string path = folder_ + "/script.txt";
-        std::ofstream(path, std::ios::binary) << text;
-        return path;
-    }
-
-    std::string folder_;
-};
 
 TEST(Script, LineReplaysBitForBit) {
     Draws draws(31);
@@ -207,7 +182,9 @@ TEST(Script, LinesNeedADocument) {
 
 TEST(Script, LongNoiseIsCutInMessages) {
     Workspace workspace;
-    EXPECT_LT(errorOf(workspace, std::string(100000, 'x')).size(), 200u);
+    const std::string error = errorOf(workspace, std::string(100000, 'x'));
+    EXPECT_NE(error.find("xxx"), std::string::npos) << error;
+    EXPECT_LT(error.size(), 200u);
 }
 
 TEST(Script, LineDropsUncommittedEditsFirst) {
@@ -284,20 +261,20 @@ TEST(Script, FloodLineFloods) {
         EXPECT_EQ(workspace.editor->document().groom.fur[v], wanted.fur[v]);
 }
 
-TEST_F(ScriptFile, ErrorSaysFileAndLine) {
+TEST(ScriptFile, ErrorSaysFileAndLine) {
+    const TempFolder folder;
     Workspace workspace = onBall();
-    const std::string path = write("flood density set 0.25\n\n# fine so far\nflood fluff\nundo\n");
-    try {
-        runScript(workspace, path);
-        FAIL() << "no error";
-    } catch (const std::runtime_error& error) {
-        EXPECT_TRUE(std::string(error.what()).starts_with(path + ": line 4: ")) << error.what();
-    }
+    const std::string path =
+        folder.write("script.txt", "flood density set 0.25\n\n# fine so far\nflood fluff\nundo\n");
+    const std::string error = refusal([&] { runScript(workspace, path); });
+    EXPECT_TRUE(error.starts_with(path + ": line 4: ")) << error;
     EXPECT_EQ(workspace.editor->document().groom.fur[0].density, 0.25f);
 }
 
-TEST_F(ScriptFile, LastLineNeedsNoNewlineInAScriptButInAJournal) {
-    const std::string path = write("flood density set 0.25\nflood density set 0.125");
+TEST(ScriptFile, LastLineNeedsNoNewlineInAScriptButInAJournal) {
+    const TempFolder folder;
+    const std::string path =
+        folder.write("script.txt", "flood density set 0.25\nflood density set 0.125");
     Workspace script = onBall(), journal = onBall();
     runScript(script, path);
     EXPECT_EQ(script.editor->document().groom.fur[0].density, 0.125f);
@@ -305,14 +282,17 @@ TEST_F(ScriptFile, LastLineNeedsNoNewlineInAScriptButInAJournal) {
     EXPECT_EQ(journal.editor->document().groom.fur[0].density, 0.25f);
 }
 
-TEST_F(ScriptFile, ReplayReturnsTheLinesThatWereRun) {
+TEST(ScriptFile, ReplayReturnsTheLinesThatWereRun) {
+    const TempFolder folder;
     const std::string lines = "flood density set 0.25\n\nflood density set 0.5\n";
     Workspace workspace = onBall();
-    EXPECT_EQ(replayJournal(workspace, write(lines + "flood density se")), lines);
-    EXPECT_EQ(replayJournal(workspace, write("flood")), "");
+    EXPECT_EQ(replayJournal(workspace, folder.write("torn.txt", lines + "flood density se")),
+              lines);
+    EXPECT_EQ(replayJournal(workspace, folder.write("torn.txt", "flood")), "");
 }
 
-TEST_F(ScriptFile, TornJournalReplaysItsCompleteLinesWhereverItIsCut) {
+TEST(ScriptFile, TornJournalReplaysItsCompleteLinesWhereverItIsCut) {
+    const TempFolder folder;
     Draws draws(34);
     Workspace painted = onBall();
     std::vector<std::string> lines;
@@ -327,14 +307,26 @@ TEST_F(ScriptFile, TornJournalReplaysItsCompleteLinesWhereverItIsCut) {
         while (complete < lines.size() && length + lines[complete].size() <= cut)
             length += lines[complete++].size();
         Workspace replayed = onBall();
-        replayJournal(replayed, write(text.substr(0, cut)));
+        replayJournal(replayed, folder.write("torn.txt", text.substr(0, cut)));
         EXPECT_EQ(replayed.editor->stepCount(), complete + 1);
     }
 }
 
-TEST_F(ScriptFile, MissingFileIsSaid) {
+TEST(ScriptFile, SaveRefusesANameThatDoesNotEndInGlb) {
+    const TempFolder folder;
+    Workspace workspace = onBall();
+    const std::string error = errorOf(workspace, "save " + folder.path("x.obj"));
+    EXPECT_NE(error.find("does not end in .glb"), std::string::npos) << error;
+    EXPECT_EQ(folder.fileCount(), 0u);
+    runLine(workspace, "save " + folder.path("x.GLB"));
+    EXPECT_EQ(folder.fileCount(), 1u);
+}
+
+TEST(ScriptFile, MissingFileIsSaid) {
+    const TempFolder folder;
     Workspace workspace;
-    EXPECT_THROW(runScript(workspace, folder_ + "/none.txt"), std::runtime_error);
+    const std::string path = folder.path("none.txt");
+    EXPECT_TRUE(refusal([&] { runScript(workspace, path); }).starts_with(path + ": "));
 }
 
 }  // namespace
