@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "core/files.h"
+
 namespace pelage {
 namespace {
 
@@ -21,8 +23,9 @@ std::string lowered(std::string text) {
 }
 
 bool wanted(const FileDialog& dialog, const std::string& name) {
-    const std::string extension = lowered(fs::path(name).extension().string());
-    return std::ranges::find(dialog.extensions, extension) != dialog.extensions.end();
+    return std::ranges::any_of(dialog.extensions, [&](const std::string& extension) {
+        return hasExtension(name, extension);
+    });
 }
 
 std::string homeFolder() {
@@ -58,7 +61,7 @@ FileChoice accept(FileDialog& dialog) {
         browse(dialog, path, "");
         return FileChoice::open;
     }
-    if (dialog.saving && lowered(fs::path(path).extension().string()) != dialog.extensions.front())
+    if (dialog.saving && !hasExtension(path, dialog.extensions.front()))
         path += dialog.extensions.front();
     const bool exists = fs::exists(path, failed);
     if (!dialog.saving && !exists) {

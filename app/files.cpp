@@ -1,24 +1,17 @@
 // files.cpp -- the verbs that read and write files, and the questions they ask first.
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 
 #include "app/app.h"
 #include "app/export_check.h"
 #include "core/animal.h"
+#include "core/files.h"
 
 namespace pelage {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lowerExtension(const std::string& path) {
-    std::string extension = fs::path(path).extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
 
 void startWork(App& app, const std::string& label, std::function<Finish(Progress&)> job,
                const std::string& cancelled) {
@@ -51,7 +44,7 @@ void adopt(App& app, Workspace opened, const std::string& path) {
     app.viewport.hit.reset();
     app.workspace = std::move(opened);
     app.restored = false;
-    app.file = lowerExtension(path) == ".glb" ? path : "";
+    app.file = hasExtension(path, ".glb") ? path : "";
     app.name = path.empty() ? "animal" : fs::path(path).filename().string();
     meetSkin(app.session, app.skin(), app.viewport.size.x / std::max(app.viewport.size.y, 1.0f));
     const LoadReport& report = app.skin().report;

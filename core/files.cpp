@@ -5,12 +5,16 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
+
+#include "text.h"
 
 namespace pelage {
 namespace {
@@ -141,6 +145,17 @@ void writeFileAtomically(const std::string& path, std::span<const std::byte> byt
     if (::fsync(file.number()) != 0) fail(path, "cannot sync", errno);
     file.replace(target);
     syncFolder(folder, path);
+}
+
+bool hasExtension(const std::string& path, std::string_view extension) {
+    const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+    return std::ranges::equal(std::filesystem::path(path).extension().string(), extension, {},
+                              lower, lower);
+}
+
+void expectExtension(const std::string& path, std::string_view extension) {
+    if (!hasExtension(path, extension))
+        throw std::runtime_error(inQuotes(path) + " does not end in " + std::string(extension));
 }
 
 std::vector<std::byte> readFile(const std::string& path, std::size_t limit) {

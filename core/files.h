@@ -15,6 +15,14 @@ namespace pelage {
 // is killed while it writes (on file systems that have files without names).
 void writeFileAtomically(const std::string& path, std::span<const std::byte> bytes);
 
+// Whether the name ends in `extension` (".glb"), in upper or lower case.
+bool hasExtension(const std::string& path, std::string_view extension);
+
+// What is written is of one format, whatever the name: refuses a name without the extension, so
+// that no save goes over the source horse.obj.
+// Throws std::runtime_error "\"horse.obj\" does not end in .glb".
+void expectExtension(const std::string& path, std::string_view extension);
+
 // The whole file. Throws std::runtime_error "path: why" when it cannot be read, is no regular file
 // or is larger than `limit` bytes.
 std::vector<std::byte> readFile(const std::string& path, std::size_t limit);

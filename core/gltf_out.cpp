@@ -62,6 +62,7 @@ std::vector<std::byte> groomedGlb(const Document& document, const ExportOptions&
 
 void writeGroomedGlb(const Document& document, const std::string& path,
                      const ExportOptions& options, Progress* progress) {
+    expectExtension(path, ".glb");
     writeFileAtomically(path, groomedGlb(document, options, progress));
 }
 

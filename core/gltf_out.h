@@ -21,7 +21,7 @@ struct ExportOptions {
 std::vector<std::byte> groomedGlb(const Document& document, const ExportOptions& options = {},
                                   Progress* progress = nullptr);
 
-// The same into a file, atomically.
+// The same into a file, atomically. Refuses a name that does not end in .glb (expectExtension).
 void writeGroomedGlb(const Document& document, const std::string& path,
                      const ExportOptions& options = {}, Progress* progress = nullptr);
 

@@ -10,7 +10,7 @@
 //   flood TOOL [add|subtract|set VALUE] [strength S] [direction x y z]
 //   undo
 //   redo
-//   save PATH
+//   save PATH                              refuses a name that does not end in .glb
 // Blank lines and lines that begin with # do nothing. The words after TOOL may come in any order;
 // strength is 0.5 for a stroke and 1 for a flood unless said. Only comb takes a direction, and a
 // flood of it needs one. Undo and redo at the end of the history do nothing. Numbers are written so

@@ -6,6 +6,7 @@
 
 #include "app/cli/cli.h"
 #include "core/animal.h"
+#include "core/files.h"
 #include "core/script.h"
 #include "core/source.h"
 
@@ -79,11 +80,13 @@ Document openInput(const InputOptions& options) {
 }
 
 CLI::Validator endsIn(const std::string& extension) {
-    return {[=](const std::string& name) {
-                const std::string end = std::filesystem::path(name).extension().string();
-                return CLI::detail::to_lower(end) == extension
-                           ? std::string()
-                           : "\"" + name + "\" does not end in " + extension;
+    return {[=](const std::string& name) -> std::string {
+                try {
+                    expectExtension(name, extension);
+                } catch (const std::runtime_error& error) {
+                    return error.what();
+                }
+                return {};
             },
             ""};
 }

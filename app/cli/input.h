@@ -25,8 +25,7 @@ void addInputOptions(CLI::App& verb, InputOptions& options);
 // Throws UsageError for a wrong preset or --set, std::runtime_error for bad input.
 Document openInput(const InputOptions& options);
 
-// Accepts names that end in `extension` (".glb"), in upper or lower case: what is written is of
-// that format, whatever the name, and `-o horse.obj` must not put it over the source.
+// Accepts the names that expectExtension (core/files.h) does, before any work.
 CLI::Validator endsIn(const std::string& extension);
 
 // The file's name without folder and extension; "animal" for the built-in one.

@@ -149,6 +149,10 @@ json 'j.fields.density.min === 0.5' 'j.fields.density.max === 0.5' -- info d.glb
 printf 'set over.stiffness 0.75\nset over.stiffness 7\n' >wrong.txt
 bad 1 'wrong\.txt: line 2: .*over\.stiffness is 7, range 0\.\.1' \
     export tetra.obj --script wrong.txt -o never.glb
+printf 'save tetra.obj\n' >over.txt
+bad 1 'over\.txt: line 1: save: "tetra\.obj" does not end in \.glb' \
+    export tetra.obj --script over.txt -o never.glb
+head -1 tetra.obj | grep -q '^v 0 0 0$' || fail "a script saved over the source"
 bad 1 'none\.txt: ' export tetra.obj --script none.txt -o never.glb
 bad 2 '--set over\.stiffness=3: over\.stiffness is 3, range 0\.\.1' \
     export tetra.obj --set over.stiffness=3 -o never.glb

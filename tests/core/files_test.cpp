@@ -118,6 +118,19 @@ TEST(Files, AFailedWriteLeavesNothingBehind) {
                          "a.bin: cannot write beside it: No such file or directory"));
 }
 
+TEST(Files, ExtensionsAreComparedWithoutCase) {
+    for (const char* name : {"a.glb", "some/where.d/a.b.GlB", "../.a.GLB"})
+        EXPECT_TRUE(hasExtension(name, ".glb")) << name;
+    for (const char* name : {"", "glb", ".glb", "a.glb.obj", "a.glbx", "a.gl", "a.glb/b", "a.glb/"})
+        EXPECT_FALSE(hasExtension(name, ".glb")) << name;
+}
+
+TEST(Files, ANameWithoutTheExtensionIsRefused) {
+    EXPECT_NO_THROW(expectExtension("horse.GLB", ".glb"));
+    EXPECT_EQ(refusal([] { expectExtension("horse.obj", ".glb"); }),
+              "\"horse.obj\" does not end in .glb");
+}
+
 TEST(Files, ReadingRefusesWhatIsMissingTooLongOrNoFile) {
     const TempFolder folder;
     EXPECT_EQ(refusal([&] { readFile(folder.path("none"), 10); }),

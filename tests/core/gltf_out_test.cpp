@@ -9,6 +9,7 @@
 #include "core/files.h"
 #include "core/gltf_carried.h"
 #include "core/gltf_carry.h"
+#include "core/text.h"
 #include "gltf_samples.h"
 #include "gtest/gtest.h"
 #include "painted.h"
@@ -382,6 +383,14 @@ TEST(GltfOut, CancelledWorkThrowsAndWritesNothing) {
     const std::string path = folder.path("out.glb");
     EXPECT_THROW(writeGroomedGlb(groomedAnimal(2000), path, {}, &progress), Cancelled);
     EXPECT_FALSE(fs::exists(path));
+}
+
+TEST(GltfOut, OnlyFilesNamedGlbAreWritten) {
+    const TempFolder folder;
+    const std::string path = folder.write("horse.obj", "v 0 0 0\n");
+    EXPECT_EQ(refusal([&] { writeGroomedGlb(paintedObj(), path); }),
+              inQuotes(path) + " does not end in .glb");
+    EXPECT_EQ(readFile(path, 100), bytesOf("v 0 0 0\n"));
 }
 
 TEST(GltfOut, ContainerIsAligned) {
