@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "gltf_accessor.h"
 
@@ -22,28 +23,32 @@ std::string plainName(const std::string& name) {
     return out;
 }
 
+// The attribute of that plain name, as it is spelled.
+std::optional<std::string> attributeOf(const JsonPlace& primitive, std::string_view name) {
+    for (const auto& [attribute, value] : primitive.at("attributes").json().items())
+        if (plainName(attribute) == name) return attribute;
+    return std::nullopt;
+}
+
 // Values of the attribute of that plain name, one of `components` per vertex of the part.
 std::optional<std::vector<float>> field(GltfFile& file, const SourcePart& part,
                                         const JsonPlace& primitive, const char* name,
                                         std::size_t components) {
-    const JsonPlace attributes = primitive.at("attributes");
-    for (const auto& [attribute, value] : attributes.json().items()) {
-        if (plainName(attribute) != name) continue;
-        const std::size_t accessor = attributes.at(attribute).integer(0, 0xffffffffu);
-        const AccessorShape shape = accessorShape(file, accessor);
-        if (shape.components != components) {
-            file.warnings.add(primitive.text() + ": " + name + " has " +
-                              std::to_string(shape.components) + " components instead of " +
-                              std::to_string(components) + "; it was ignored");
-            return std::nullopt;
-        }
-        if (shape.count != part.vertexCount) {
-            primitive.refuse(std::string(name) + " has " + std::to_string(shape.count) +
-                             " values for " + std::to_string(part.vertexCount) + " vertices");
-        }
-        return accessorFloats(file, accessor, components);
+    const std::optional<std::string> attribute = attributeOf(primitive, name);
+    if (!attribute) return std::nullopt;
+    const std::size_t accessor = primitive.at("attributes").at(*attribute).integer(0, 0xffffffffu);
+    const AccessorShape shape = accessorShape(file, accessor);
+    if (shape.components != components) {
+        file.warnings.add(primitive.text() + ": " + name + " has " +
+                          std::to_string(shape.components) + " components instead of " +
+                          std::to_string(components) + "; it was ignored");
+        return std::nullopt;
     }
-    return std::nullopt;
+    if (shape.count != part.vertexCount) {
+        primitive.refuse(std::string(name) + " has " + std::to_string(shape.count) +
+                         " values for " + std::to_string(part.vertexCount) + " vertices");
+    }
+    return accessorFloats(file, accessor, components);
 }
 
 // Makes every value one that fur can have; returns how many were changed.
@@ -119,6 +124,26 @@ void readFurFields(GltfFile& file, Source& source, const SourcePart& part,
         }
         warnChanged(file, primitive, "fur_direction", keepInRange(direction));
         place(source.fur->direction, part, direction, vec3(0.0f));
+    }
+}
+
+void warnMissingFields(GltfFile& file, const Source& source) {
+    if (!source.fur) return;
+    const struct {
+        const char* name;
+        bool found;
+        const char* instead;
+    } fields[] = {{"fur_length", !source.fur->length.empty(), "length 0"},
+                  {"fur_density", !source.fur->density.empty(), "density 1"},
+                  {"fur_direction", !source.fur->direction.empty(), "the direction of the normal"}};
+    for (const SourcePart& part : source.parts) {
+        const JsonPlace primitive =
+            file.element("meshes", part.mesh).at("primitives").at(part.primitive);
+        for (const auto& [name, found, instead] : fields) {
+            if (!found || attributeOf(primitive, name)) continue;
+            file.warnings.add(primitive.text() + ": has no " + name +
+                              ", which other primitives have; it takes " + instead);
+        }
     }
 }
 

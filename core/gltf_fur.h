@@ -14,6 +14,10 @@ namespace pelage {
 void readFurFields(GltfFile& file, Source& source, const SourcePart& part,
                    const JsonPlace& primitive);
 
+// Warns of the primitives that lack a field which other primitives have, and says what counts there:
+// length 0, density 1, direction along the normal. `source` holds all parts.
+void warnMissingFields(GltfFile& file, const Source& source);
+
 // Body segments that an export of something else than glTF left: extras.furSegments of the mesh
 // and _FUR_SEGMENT of its primitives.
 void readFurSegments(GltfFile& file, Source& source, const SourcePart& part, const JsonPlace& mesh,

@@ -273,6 +273,7 @@ Source readGltf(std::span<const std::byte> bytes, const std::string& path, Progr
         }
     }
     if (!source.vertexToWorld.empty()) skins.nameSegments(source);
+    warnMissingFields(file, source);
     source.furBlock = furBlock(file);
     source.carried = file.carried;
     source.warnings = file.warnings.take();

@@ -327,6 +327,29 @@ TEST(GltfFur, FieldsAreReadBitForBitUnderAnySpelling) {
     EXPECT_FALSE(readGltf(GltfMaker::triangle().glb(), "").fur);
 }
 
+TEST(GltfFur, APrimitiveThatLacksAFieldOfAnotherIsToldOf) {
+    GltfMaker maker = GltfMaker::triangle();
+    Json bare = maker.primitive();
+    maker.primitive()["attributes"]["_FUR_LENGTH"] = maker.add<float>({1, 1, 1}, "SCALAR", kFloat);
+    maker.primitive()["attributes"]["_FUR_DENSITY"] =
+        maker.add<float>({0.5f, 0.5f, 0.5f}, "SCALAR", kFloat);
+    EXPECT_TRUE(readGltf(maker.glb(), "").warnings.empty());
+
+    bare["attributes"]["_fur_density"] = maker.primitive()["attributes"]["_FUR_DENSITY"];
+    for (const std::size_t at : {0u, 1u}) {  // before the one that has it, and after
+        GltfMaker two = maker;
+        Json& primitives = two.json["meshes"][0]["primitives"];
+        primitives.insert(primitives.begin() + static_cast<int>(at), bare);
+        const Source source = readGltf(two.glb(), "");
+        EXPECT_EQ(source.warnings,
+                  std::vector<std::string>{
+                      "meshes[0].primitives[" + std::to_string(at) +
+                      "]: has no fur_length, which other primitives have; it takes length 0"});
+        EXPECT_EQ(source.fur->length[3 * at], 0.0f);
+        EXPECT_EQ(source.fur->density[3 * at], 0.5f);
+    }
+}
+
 TEST(GltfFur, ValuesThatNoFurHasAreChangedAndCounted) {
     GltfMaker maker = GltfMaker::triangle();
     const float nan = std::numeric_limits<float>::quiet_NaN(),
