@@ -17,6 +17,7 @@ constexpr double kCombStep = 1.0 / 8.0;  // of the radius, between two looks at 
 constexpr float kLeastRadius = 1e-3f;    // of the skin's size; bounds the number of comb steps
 constexpr float kFarthest = 2.0f;        // sizes from the middle of the skin
 constexpr float kSmoothReach = 1.0f / 3.0f;  // of the radius, over which smooth takes its mean
+constexpr float kFloodReach = 1.0f / 40.0f;  // the same for a flood, of the skin's size
 constexpr float kFacingRamp =
     0.2f;  // cosine to the cursor's normal from which a vertex counts in full
 
@@ -174,11 +175,14 @@ std::string Stroke::line() const {
     return text;
 }
 
-void flood(const Skin& skin, Groom& groom, const Brush& brush, vec3 direction) {
+void flood(const SkinQuery& query, Groom& groom, const Brush& brush, vec3 direction) {
+    const Skin& skin = query.skin();
     const Groom before = groom;  // smooth looks at neighbours
+    std::optional<Averages> averages;
+    if (brush.tool == Tool::smooth) averages.emplace(query, before, kFloodReach * skin.size());
     Touching touching{1.0f, direction, {}};
     for (uint v = 0; v < skin.vertices.size(); ++v) {
-        if (brush.tool == Tool::smooth) touching.around = ringMean(skin, before, v);
+        if (averages) touching.around = averages->around(v);
         writeVertex(groom, v, brushedFur(skin, before, brush, v, touching),
                     brushedMask(before, brush, v, touching));
     }

@@ -101,7 +101,8 @@ private:
 
 // The same tool over the entire skin at full coverage; masked vertices keep their values by the
 // share of the mask. For comb: `direction` (world) is laid onto the tangent plane of each vertex.
-// Smooth evens out over one-rings.
-void flood(const Skin& skin, Groom& groom, const Brush& brush, vec3 direction = vec3(0.0f));
+// Smooth evens out as a stroke does, over 1/40 of the skin's size or over one-rings where those are
+// wider (averages.h), so that its effect hardly depends on how dense the mesh is.
+void flood(const SkinQuery& query, Groom& groom, const Brush& brush, vec3 direction = vec3(0.0f));
 
 }  // namespace pelage

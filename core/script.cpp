@@ -126,7 +126,7 @@ void runFlood(Workspace& workspace, Words& words) {
     if (brush.tool == Tool::comb && direction == vec3(0.0f))
         throw std::runtime_error("a flood of comb needs a direction");
     editor.edit([&, &of = brush](Document& document) {
-        flood(*document.skin, document.groom, of, direction);
+        flood(*workspace.query, document.groom, of, direction);
     });
     editor.commit(std::string("Flood ") + toolInfo(brush.tool).name);
 }

@@ -139,7 +139,7 @@ TEST(Brush, SmoothLeavesConstantFieldsAlone) {
     Groom after = canvas.groom;
     Stroke stroke(canvas.query, canvas.groom, brushOf(Tool::smooth, Mode::add, 0.7f));
     for (int i = 0; i < 5; ++i) stroke.dab(after, {0.2f * static_cast<float>(i), 1.0f, 0.0f}, kUp);
-    flood(*canvas.skin, after, brushOf(Tool::smooth));
+    flood(canvas.query, after, brushOf(Tool::smooth));
     EXPECT_EQ(after, canvas.groom);  // not even a chunk was copied
 }
 
@@ -147,7 +147,7 @@ TEST(Brush, SmoothEvensOut) {
     Canvas canvas(test::sheet(30));
     shuffle(canvas, 7);
     Groom after = canvas.groom;
-    flood(*canvas.skin, after, brushOf(Tool::smooth));
+    flood(canvas.query, after, brushOf(Tool::smooth));
     auto roughness = [&](const Groom& groom) {
         double sum = 0.0;
         for (uint v = 0; v < canvas.skin->vertices.size(); ++v) {
@@ -189,10 +189,10 @@ TEST(Flood, ReachesEveryVertexInFull) {
     const Canvas canvas(test::ball(3));
     Groom after = canvas.groom;
     Brush brush = brushOf(Tool::length, Mode::set);
-    flood(*canvas.skin, after, brush);
+    flood(canvas.query, after, brush);
     brush = brushOf(Tool::density, Mode::subtract);
-    flood(*canvas.skin, after, brush);
-    flood(*canvas.skin, after, brushOf(Tool::comb), vec3(0, -1, 0));
+    flood(canvas.query, after, brush);
+    flood(canvas.query, after, brushOf(Tool::comb), vec3(0, -1, 0));
     for (uint v = 0; v < canvas.skin->vertices.size(); ++v) {
         EXPECT_EQ(after.fur[v].furLength, 0.25f);
         EXPECT_EQ(after.fur[v].density, 0.0f);

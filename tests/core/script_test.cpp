@@ -255,7 +255,7 @@ TEST(Script, FloodLineFloods) {
     brush.mode = Mode::subtract;
     brush.strength = 0.3f;
     Groom wanted = workspace.editor->document().groom;
-    flood(*workspace.editor->document().skin, wanted, brush, {0.1f, -0.7f, 0.2f});
+    flood(*workspace.query, wanted, brush, {0.1f, -0.7f, 0.2f});
     runLine(workspace, floodLine(brush, {0.1f, -0.7f, 0.2f}));
     for (std::size_t v = 0; v < wanted.fur.size(); ++v)
         EXPECT_EQ(workspace.editor->document().groom.fur[v], wanted.fur[v]);

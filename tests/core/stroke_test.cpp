@@ -78,7 +78,7 @@ TEST(Stroke, MaskProtects) {
         Stroke stroke(canvas.query, half, brushOf(tool));
         for (const vec3 p : path) stroke.dab(after, p, kUp);
         Groom flooded = half;
-        flood(*canvas.skin, flooded, brushOf(tool), vec3(1, 0, 0));
+        flood(canvas.query, flooded, brushOf(tool), vec3(1, 0, 0));
         for (uint v = 0; v < canvas.skin->vertices.size(); ++v) {
             if (v % 3 == 0) {
                 EXPECT_EQ(after.fur[v], half.fur[v]);
