@@ -104,7 +104,8 @@ class Editor:
         self.key("Return")
 
     def save(self, path):
-        self.answer("ctrl+s", path)
+        # Not ctrl+s: where the mesh is a groomed .glb that writes the same file without asking.
+        self.answer("ctrl+shift+s", path)
         return self.expect("saved")
 
     def journal(self):
