@@ -54,7 +54,9 @@ struct App {
     Dialogs dialogs;
     std::unique_ptr<Journal> journal;
     std::size_t journalStep = 0;  // the step of history that the journal's first line makes
-    std::string snapshot;         // file that the first line opens and nobody else knows
+    std::size_t journalEnd = 0;   // the last step that its other lines make
+    std::string journalFile;      // that the first line opens; empty for the animal
+    std::string snapshot;         // the same when nobody else knows that file
     bool restored = false;        // from a journal, and not saved since
     std::optional<Pending> pending;
     std::string file;     // what Save writes; empty until there is a .glb
@@ -94,8 +96,11 @@ void floodSkin(App& app, vec3 direction);  // of combing, world
 void beginStroke(App& app, const Brush& brush, const SkinHit& hit);
 void endStroke(App& app);
 void cancelStroke(App& app);
-// Starts the journal anew for what is on screen: `line` opens all of it.
-void restartJournal(App& app, const std::string& line);
+// Starts the journal anew for what is on screen: the file, or the animal if empty, is all of it.
+void restartJournal(App& app, const std::string& file);
+// The same for a file of our own with what is on screen, which was written beside the journal.
+std::string snapshotPath(const App& app);
+void restartFromSnapshot(App& app);
 void dropSnapshot(App& app);
 
 // Files (files.cpp). All of them ask first when work would be lost, and then go on by themselves.

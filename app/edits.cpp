@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "app/app.h"
+#include "core/animal.h"
 #include "core/script.h"
 
 namespace pelage {
@@ -38,16 +39,15 @@ void note(App& app, std::string_view line) {
     }
 }
 
-// The journal's first line names what is saved. When undo goes back beyond it, what is on screen
-// is written beside the journal and becomes the new first line.
+// The journal begins at what is saved. When undo goes back beyond it, or redo to a step that was
+// made before it, no line leads there: what is on screen is written beside the journal, which
+// begins anew.
 void keepJournalReachable(App& app) {
-    if (!app.journal || app.editor().currentStep() >= app.journalStep) return;
-    const std::string path = app.journal->path() + ".glb";
+    const std::size_t step = app.editor().currentStep();
+    if (!app.journal || (step >= app.journalStep && step <= app.journalEnd)) return;
     try {
-        writeGroomedGlb(app.document(), path);
-        restartJournal(app, "open " + path);
-        app.snapshot = path;
-        app.journal->append("# taken back beyond what is saved");
+        writeGroomedGlb(app.document(), snapshotPath(app));
+        restartFromSnapshot(app);
     } catch (const std::exception& error) {
         complain(app, error.what());
     }
@@ -58,6 +58,7 @@ bool historyFull(const App& app) { return app.editor().currentStep() == Editor::
 
 void stepped(App& app, bool wasFull, std::string_view line) {
     if (wasFull && app.journalStep > 0) --app.journalStep;
+    app.journalEnd = app.editor().currentStep();
     note(app, line);
     trace(app, "commit " + std::string(app.editor().undoLabel()));
 }
@@ -95,15 +96,29 @@ void trace(const App& app, const std::string& line) {
     std::fflush(stdout);
 }
 
-void restartJournal(App& app, const std::string& line) {
+void restartJournal(App& app, const std::string& file) {
     if (!app.journal) return;
+    const std::string animal = "animal " + std::to_string(kAnimalTriangles);
     try {
-        app.journal->restart(line);
+        app.journal->restart({file.empty() ? animal : "open " + file});
     } catch (const std::exception& error) {
         return complain(app, error.what());
     }
-    app.journalStep = app.editor().currentStep();
+    app.journalStep = app.journalEnd = app.editor().currentStep();
+    app.journalFile = file;
     dropSnapshot(app);
+}
+
+std::string snapshotPath(const App& app) { return app.journal->path() + ".glb"; }
+
+void restartFromSnapshot(App& app) {
+    const std::string path = snapshotPath(app);
+    // The second line counts as an edit: without one it would be no lost work.
+    app.journal->restart({"open " + path, "# not saved elsewhere"});
+    app.journalStep = app.journalEnd = app.editor().currentStep();
+    app.journalFile = path;
+    if (app.snapshot != path) dropSnapshot(app);
+    app.snapshot = path;
 }
 
 void dropSnapshot(App& app) {
@@ -149,6 +164,7 @@ void redo(App& app) {
     commitPending(app);
     if (!app.editor().redo()) return;
     note(app, "redo");
+    keepJournalReachable(app);
     const std::string label(app.editor().undoLabel());
     tell(app, "Redone: " + label);
     trace(app, "redo " + label);

@@ -59,24 +59,42 @@ void adopt(App& app, Workspace opened, const std::string& path) {
 std::string proposedName(const App& app) { return fs::path(app.name).stem().string() + ".glb"; }
 
 // Goes on where an editor that was killed had ended: its journal becomes ours.
-void takeOverJournal(App& app, const LostWork& lost, Workspace opened, const std::string& lines) {
-    const bool animal = lost.document == "animal";
+void takeOverWork(App& app, const LostWork& lost, Workspace opened, const std::string& lines) {
+    const std::string file = lost.document == "animal" ? "" : lost.document;
     // A file beside the journal is no file of the user's.
-    const bool own = fs::path(lost.document).parent_path() == fs::path(lost.path).parent_path();
-    adopt(app, std::move(opened), animal ? "" : lost.document);
-    if (own) app.file.clear();
-    app.restored = true;
+    const bool own = fs::path(file).parent_path() == fs::path(lost.path).parent_path();
     if (app.journal) {
-        std::size_t end = lines.find('\n');
-        restartJournal(app, lines.substr(0, end));
-        app.journalStep = 0;
-        for (std::size_t at = end + 1; (end = lines.find('\n', at)) != lines.npos; at = end + 1)
-            app.journal->append(lines.substr(at, end - at));
+        app.journal->takeOver(lost, lines);
+        dropSnapshot(app);
+        if (own) app.snapshot = file;
     }
-    if (own) app.snapshot = lost.document;
-    discardLostWork(lost);
+    adopt(app, std::move(opened), file);
+    app.restored = true;
+    app.journalFile = file;
+    app.journalStep = 0;
+    app.journalEnd = app.editor().stepCount() - 1;
+    if (own) app.file.clear();
     tell(app, "Restored " + std::to_string(lost.edits) + " unsaved edits of " + app.name);
     trace(app, "restored " + std::to_string(lost.edits));
+}
+
+// Before a file is written over that the journal's first line opens: its other lines must not be
+// run again on what they have made. The journal begins anew at a snapshot.
+void leaveJournalFile(App& app, const std::string& path, std::function<void()> then) {
+    std::error_code absent;
+    if (!app.journal || app.saved() || !fs::equivalent(app.journalFile, path, absent))
+        return then();
+    startWork(
+        app, "Keeping the work safe",
+        [&app, then = std::move(then), document = app.document(),
+         kept = snapshotPath(app)](Progress& progress) -> Finish {
+            writeGroomedGlb(document, kept, {}, &progress);
+            return [&app, then] {
+                restartFromSnapshot(app);
+                then();
+            };
+        },
+        "Cancelled; the file is as it was");
 }
 
 }  // namespace
@@ -101,7 +119,7 @@ void openFile(App& app, const std::string& path) {
                 opened->open(openDocument(readSource(absolute, &progress), &progress));
                 return [&app, absolute, opened] {
                     adopt(app, std::move(*opened), absolute);
-                    restartJournal(app, "open " + absolute);
+                    restartJournal(app, absolute);
                     rememberFile(app, absolute);
                 };
             },
@@ -118,7 +136,7 @@ void openAnimal(App& app) {
                 opened->open(groomedAnimal(kAnimalTriangles));
                 return [&app, opened] {
                     adopt(app, std::move(*opened), "");
-                    restartJournal(app, "animal " + std::to_string(kAnimalTriangles));
+                    restartJournal(app, "");
                 };
             },
             "Cancelled");
@@ -156,42 +174,46 @@ void save(App& app, std::function<void()> then) {
 void saveTo(App& app, const std::string& path, std::function<void()> then) {
     commitPending(app);
     const std::string absolute = fs::absolute(path).lexically_normal().string();
-    startWork(
-        app, "Saving " + fs::path(path).filename().string(),
-        [&app, absolute, then = std::move(then),
-         document = app.document()](Progress& progress) -> Finish {
-            writeGroomedGlb(document, absolute, {}, &progress);
-            return [&app, absolute, then] {
-                app.editor().markSaved();
-                app.restored = false;
-                app.file = absolute;
-                app.name = fs::path(absolute).filename().string();
-                restartJournal(app, "open " + absolute);
-                rememberFile(app, absolute);
-                tell(app, "Saved " + absolute);
-                trace(app, "saved " + absolute);
-                if (then) then();
-            };
-        },
-        "Saving cancelled; the file is as it was");
+    const auto finish = [&app, absolute, then = std::move(then)] {
+        app.editor().markSaved();
+        app.restored = false;
+        app.file = absolute;
+        app.name = fs::path(absolute).filename().string();
+        restartJournal(app, absolute);
+        rememberFile(app, absolute);
+        tell(app, "Saved " + absolute);
+        trace(app, "saved " + absolute);
+        if (then) then();
+    };
+    leaveJournalFile(app, absolute, [&app, absolute, finish] {
+        startWork(
+            app, "Saving " + fs::path(absolute).filename().string(),
+            [absolute, finish, document = app.document()](Progress& progress) -> Finish {
+                writeGroomedGlb(document, absolute, {}, &progress);
+                return finish;
+            },
+            "Saving cancelled; the file is as it was");
+    });
 }
 
 void exportTo(App& app, const std::string& path) {
     commitPending(app);
     const std::string absolute = fs::absolute(path).lexically_normal().string();
-    startWork(
-        app, "Exporting " + fs::path(path).filename().string(),
-        [&app, absolute, options = app.dialogs.exportOptions, check = app.dialogs.exportCheck,
-         document = app.document()](Progress& progress) -> Finish {
-            writeGroomedGlb(document, absolute, options, &progress);
-            const std::string proof = check ? checkExport(document, absolute, &progress) : "";
-            return [&app, absolute, proof] {
-                rememberFile(app, absolute);
-                tell(app, "Exported " + absolute + proof);
-                trace(app, "exported " + absolute + proof);
-            };
-        },
-        "Export cancelled");
+    leaveJournalFile(app, absolute, [&app, absolute] {
+        startWork(
+            app, "Exporting " + fs::path(absolute).filename().string(),
+            [&app, absolute, options = app.dialogs.exportOptions, check = app.dialogs.exportCheck,
+             document = app.document()](Progress& progress) -> Finish {
+                writeGroomedGlb(document, absolute, options, &progress);
+                const std::string proof = check ? checkExport(document, absolute, &progress) : "";
+                return [&app, absolute, proof] {
+                    rememberFile(app, absolute);
+                    tell(app, "Exported " + absolute + proof);
+                    trace(app, "exported " + absolute + proof);
+                };
+            },
+            "Export cancelled");
+    });
 }
 
 void restoreWork(App& app, const LostWork& lost) {
@@ -200,15 +222,18 @@ void restoreWork(App& app, const LostWork& lost) {
         [&app, lost](Progress&) -> Finish {
             auto opened = std::make_shared<Workspace>();
             const std::string lines = replayJournal(*opened, lost.path);
-            return [&app, lost, opened, lines] {
-                takeOverJournal(app, lost, std::move(*opened), lines);
-            };
+            return
+                [&app, lost, opened, lines] { takeOverWork(app, lost, std::move(*opened), lines); };
         },
         "Restoring cancelled; the work is offered again at the next start");
 }
 
 void discardWork(App& app, const LostWork& lost) {
-    discardLostWork(lost);
+    try {
+        discardLostWork(lost);
+    } catch (const std::exception& error) {
+        return complain(app, error.what());
+    }
     std::error_code absent;
     fs::remove(lost.path + ".glb", absent);
     tell(app, "Unsaved work discarded");

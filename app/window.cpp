@@ -322,6 +322,7 @@ int runEditor(const EditorOptions& options) {
         openFile(app, options.file);
     loop(window);
     app.work.cancel();
+    app.journal.reset();  // before the snapshot that it names
     dropSnapshot(app);
     return app.isOpen() ? 0 : 1;
 }

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -22,6 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kExtension = ".journal";
+constexpr const char* kUnfinished = ".unfinished";  // it will be renamed to a journal
 
 [[noreturn]] void fail(const std::string& path, const char* what) {
     throw std::runtime_error(path + ": " + what + ": " + std::strerror(errno));
@@ -78,6 +80,14 @@ LostWork readJournal(const std::string& path) {
     return lost;
 }
 
+// All lines of the journal that were finished.
+std::string completeLines(const std::string& path) {
+    std::ifstream stream(path, std::ios::binary);
+    std::string text(std::istreambuf_iterator<char>(stream), {});
+    text.resize(text.rfind('\n') + 1);  // none: npos + 1 is 0
+    return text;
+}
+
 // The journals that no editor holds, with at least one edit. The others are swept away on request,
 // under their lock, so that an editor that is making one just now notices.
 std::vector<LostWork> lostJournals(const std::string& folder, bool sweep) {
@@ -85,14 +95,15 @@ std::vector<LostWork> lostJournals(const std::string& folder, bool sweep) {
     std::error_code error;  // a folder that cannot be read has no journals for us
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
         const std::string path = entry.path().string();
-        if (entry.path().extension() != kExtension) continue;
+        const bool unfinished = entry.path().extension() == kUnfinished;
+        if (entry.path().extension() != kExtension && !unfinished) continue;
         const File file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
         struct stat status {};
         if (!file.isOpen() || fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode))
             continue;
         if (flock(file.number(), LOCK_SH | LOCK_NB) != 0) continue;
         LostWork lost = readJournal(path);
-        if (lost.edits > 0) {
+        if (lost.edits > 0 && !unfinished) {
             found.push_back(std::move(lost));
         } else if (sweep) {
             unlink(path.c_str());
@@ -115,17 +126,30 @@ bool stillNamed(int file) {
     return fstat(file, &status) == 0 && status.st_nlink > 0;
 }
 
+// The journal of an editor that is gone, for us alone; not open if it is gone as well. Throws when
+// another editor holds it.
+File lockedAlone(const std::string& path) {
+    File file(open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+    if (!file.isOpen()) {
+        if (errno != ENOENT) fail(path, "cannot be opened");
+        return file;
+    }
+    if (flock(file.number(), LOCK_EX | LOCK_NB) != 0)
+        fail(path, "another editor goes on with this work");
+    return stillNamed(file.number()) ? std::move(file) : File(-1);
+}
+
 struct NewFile {
     std::string path;
     File file;
 };
 
 // An empty journal under a name of its own, locked.
-NewFile newFile(const std::string& folder) {
+NewFile newFile(const std::string& folder, const char* extension) {
     for (;;) {
-        std::string path = folder + "/XXXXXX" + kExtension;
+        std::string path = folder + "/XXXXXX" + extension;
         const int number =
-            mkostemps(path.data(), static_cast<int>(std::strlen(kExtension)), O_APPEND | O_CLOEXEC);
+            mkostemps(path.data(), static_cast<int>(std::strlen(extension)), O_APPEND | O_CLOEXEC);
         if (number < 0) fail(folder, "no journal can be made there");
         NewFile made{path, File(number)};
         if (flock(number, LOCK_EX) != 0) {
@@ -146,7 +170,7 @@ Journal::Journal(std::string folder) {
     if (error) throw std::runtime_error(folder + ": cannot be made: " + error.message());
     lostJournals(folder, true);
 
-    NewFile made = newFile(folder);
+    NewFile made = newFile(folder, kExtension);
     path_ = std::move(made.path);
     file_ = made.file.release();
     syncFolder(folder);
@@ -171,11 +195,14 @@ void Journal::append(std::string_view line) {
     size_ += text.size();
 }
 
-void Journal::restart(std::string_view line) {
-    refuseNewline(path_, line);
+void Journal::restart(std::initializer_list<std::string_view> lines) {
+    std::string text;
+    for (const std::string_view line : lines) {
+        refuseNewline(path_, line);
+        text.append(line) += '\n';
+    }
     const std::string folder = fs::path(path_).parent_path().string();
-    NewFile made = newFile(folder);
-    const std::string text = std::string(line) + '\n';
+    NewFile made = newFile(folder, kUnfinished);
     if (!writeAll(made.file.number(), text) || fdatasync(made.file.number()) != 0 ||
         rename(made.path.c_str(), path_.c_str()) != 0) {
         const int why = errno;
@@ -186,6 +213,18 @@ void Journal::restart(std::string_view line) {
     close(std::exchange(file_, made.file.release()));
     size_ = text.size();
     syncFolder(folder);
+}
+
+void Journal::takeOver(const LostWork& lost, std::string_view lines) {
+    File file = lockedAlone(lost.path);
+    if (!file.isOpen() || completeLines(lost.path) != lines)
+        throw std::runtime_error(lost.path + ": another editor has gone on with this work");
+    if (ftruncate(file.number(), static_cast<off_t>(lines.size())) != 0)
+        fail(lost.path, "cannot be cut after its last line");
+    const std::string mine = std::exchange(path_, lost.path);
+    close(std::exchange(file_, file.release()));
+    size_ = lines.size();
+    unlink(mine.c_str());
 }
 
 std::string journalFolder() {
@@ -199,7 +238,8 @@ std::string journalFolder() {
 std::vector<LostWork> lostWork(const std::string& folder) { return lostJournals(folder, false); }
 
 void discardLostWork(const LostWork& lost) {
-    if (unlink(lost.path.c_str()) != 0 && errno != ENOENT) fail(lost.path, "cannot be removed");
+    const File file = lockedAlone(lost.path);
+    if (file.isOpen() && unlink(lost.path.c_str()) != 0) fail(lost.path, "cannot be removed");
 }
 
 }  // namespace pelage

@@ -2,12 +2,20 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace pelage {
 
+// A journal that an editor left behind without ending in good order (its lock is free). Replay it
+// with replayJournal (script.h).
+struct LostWork {
+    std::string path;       // of the journal
+    std::string document;   // what its first line names: a path, or "animal"
+    std::size_t edits = 0;  // complete lines after the first
+};
 // The journal of one running editor. Each line is on the disk when append returns.
 class Journal {
 public:
@@ -21,10 +29,14 @@ public:
     // Throws std::runtime_error when the disk refuses, and then no part of the line is kept; and
     // for a line that holds a newline, which only the name of a file can.
     void append(std::string_view line);
-    // Begins anew: what came before is saved elsewhere or given up. `line` is the new first line.
-    // Whoever is killed meanwhile leaves the old lines or the new one; throws like append, and then
-    // the old lines are kept.
-    void restart(std::string_view line);
+    // Begins anew: what came before is saved elsewhere or given up. Whoever is killed meanwhile
+    // leaves the old lines or all the new ones; throws like append, and then the old are kept.
+    void restart(std::initializer_list<std::string_view> lines);
+    // Goes on in the journal of lost work, which was replayed: these are its complete lines. They
+    // are ours from now on, and the file that was ours is removed. Whoever is killed meanwhile
+    // leaves the lost work as it was. Throws when another editor has taken it up, changed or
+    // discarded it; then nothing has changed here.
+    void takeOver(const LostWork& lost, std::string_view lines);
     const std::string& path() const { return path_; }
 
 private:
@@ -37,17 +49,10 @@ private:
 // when neither variable names an absolute path.
 std::string journalFolder();
 
-// A journal that an editor left behind without ending in good order (its lock is free). Replay it
-// with replayJournal (script.h).
-struct LostWork {
-    std::string path;       // of the journal
-    std::string document;   // what its first line names: a path, or "animal"
-    std::size_t edits = 0;  // complete lines after the first
-};
 // Journals with at least one edit, in the order of their paths. A folder that is not there has
 // none.
 std::vector<LostWork> lostWork(const std::string& folder);
-// Removes the journal: it was replayed and journalled anew, or nobody wants it.
+// Removes the journal, which nobody wants. Throws when another editor has taken it up.
 void discardLostWork(const LostWork& lost);
 
 }  // namespace pelage

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/ptrace.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,6 +11,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 
@@ -48,7 +50,7 @@ TEST_F(JournalTest, RestartBeginsAnew) {
     Journal journal(folder_);
     journal.append("open fox.glb");
     journal.append("undo");
-    journal.restart("open cat.glb");
+    journal.restart({"open cat.glb"});
     journal.append("redo");
     EXPECT_EQ(contentOf(journal.path()), "open cat.glb\nredo\n");
 }
@@ -62,7 +64,7 @@ TEST_F(JournalTest, AFailedRestartKeepsTheOldLinesAndTheLock) {
     const auto handler = signal(SIGXFSZ, SIG_IGN);
     const rlimit small{4096, before.rlim_max};  // as a full disk
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-    EXPECT_THROW(journal.restart("open " + std::string(10000, 'x')), std::runtime_error);
+    EXPECT_THROW(journal.restart({"open " + std::string(10000, 'x')}), std::runtime_error);
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
     signal(SIGXFSZ, handler);
     journal.append("redo");
@@ -74,7 +76,7 @@ TEST_F(JournalTest, AFailedRestartKeepsTheOldLinesAndTheLock) {
 TEST_F(JournalTest, ARestartedJournalIsStillLocked) {
     Journal journal(folder_);
     journal.append("open fox.glb");
-    journal.restart("open cat.glb");
+    journal.restart({"open cat.glb"});
     journal.append("undo");
     EXPECT_TRUE(lostWork(folder_).empty());
     const Journal other(folder_);  // sweeps
@@ -94,7 +96,7 @@ TEST_F(JournalTest, RefusesALineThatIsTwo) {
     Journal journal(folder_);
     journal.append("open fox.glb");
     EXPECT_THROW(journal.append("open a\nb.glb"), std::runtime_error);
-    EXPECT_THROW(journal.restart("open a\nb.glb"), std::runtime_error);
+    EXPECT_THROW(journal.restart({"open a\nb.glb"}), std::runtime_error);
     EXPECT_EQ(contentOf(journal.path()), "open fox.glb\n");
 }
 
@@ -137,6 +139,121 @@ TEST_F(JournalTest, NewEditorSweepsJournalsWithoutEditsAndNoOthers) {
     EXPECT_FALSE(fs::exists(folder_ + "/none.journal"));
     EXPECT_FALSE(fs::exists(folder_ + "/empty.journal"));
     EXPECT_TRUE(fs::exists(folder_ + "/notes.txt"));
+}
+
+TEST_F(JournalTest, TakenOverWorkGoesOnInItsOwnFile) {
+    leaveBehind("lost.journal", "open fox.glb\nundo\nstroke comb rad");
+    Journal journal(folder_);
+    const LostWork lost = lostWork(folder_).at(0);
+    EXPECT_THROW(journal.takeOver(lost, "open fox.glb\n"), std::runtime_error);
+    journal.takeOver(lost, "open fox.glb\nundo\n");
+    EXPECT_TRUE(lostWork(folder_).empty());  // locked
+    journal.append("redo");
+    EXPECT_EQ(journal.path(), lost.path);
+    EXPECT_EQ(contentOf(lost.path), "open fox.glb\nundo\nredo\n");
+    EXPECT_EQ(temporary_.fileCount(), 1u);
+}
+
+TEST_F(JournalTest, NobodyTakesOrDiscardsWorkThatAnotherEditorGoesOnWith) {
+    leaveBehind("lost.journal", "open fox.glb\nundo\n");
+    Journal mine(folder_), other(folder_);
+    mine.append("animal 100000");
+    const LostWork lost = lostWork(folder_).at(0);
+    other.takeOver(lost, "open fox.glb\nundo\n");
+    EXPECT_THROW(mine.takeOver(lost, "open fox.glb\nundo\n"), std::runtime_error);
+    EXPECT_THROW(discardLostWork(lost), std::runtime_error);
+    mine.append("redo");
+    EXPECT_EQ(contentOf(mine.path()), "animal 100000\nredo\n");
+    EXPECT_EQ(contentOf(other.path()), "open fox.glb\nundo\n");
+}
+
+TEST_F(JournalTest, WorkThatIsGoneCanBeDiscardedButNotTakenOver) {
+    leaveBehind("lost.journal", "open fox.glb\nundo\n");
+    Journal journal(folder_);
+    const LostWork lost = lostWork(folder_).at(0);
+    discardLostWork(lost);
+    EXPECT_THROW(journal.takeOver(lost, "open fox.glb\nundo\n"), std::runtime_error);
+    EXPECT_NO_THROW(discardLostWork(lost));
+    EXPECT_TRUE(fs::exists(journal.path()));
+}
+
+TEST_F(JournalTest, NewEditorSweepsARestartThatWasNeverFinished) {
+    leaveBehind("half.unfinished", "open fox.glb\n# and more\n");
+    EXPECT_TRUE(lostWork(folder_).empty());
+    const Journal journal(folder_);
+    EXPECT_FALSE(fs::exists(folder_ + "/half.unfinished"));
+}
+
+// Runs `prepare` and `work` in a process that is killed at the end, or before system call number
+// `call` of the work; false when the work has no so many.
+template <typename Prepare, typename Work>
+bool killedBefore(int call, Prepare&& prepare, Work&& work) {
+    const pid_t child = fork();
+    if (child == 0) {
+        auto prepared = prepare();
+        ptrace(PTRACE_TRACEME, 0, nullptr, nullptr);
+        raise(SIGSTOP);
+        work(*prepared);
+        _exit(0);  // without any destructor, as if killed
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    // The process stops on its way into each call and on its way out.
+    for (int stop = 0; stop <= 2 * call && WIFSTOPPED(status); ++stop) {
+        ptrace(PTRACE_SYSCALL, child, nullptr, nullptr);
+        waitpid(child, &status, 0);
+    }
+    if (!WIFSTOPPED(status)) return false;
+    kill(child, SIGKILL);
+    waitpid(child, &status, 0);
+    return true;
+}
+
+TEST_F(JournalTest, KillAtAnyStepOfARestartLeavesTheOldLinesOrAllTheNew) {
+    int old = 0, fresh = 0;
+    for (int call = 0, more = 1; more; ++call) {
+        more = killedBefore(
+            call,
+            [&] {
+                auto journal = std::make_unique<Journal>(folder_);
+                journal->append("open fox.glb");
+                journal->append("undo");
+                return journal;
+            },
+            [](Journal& journal) {
+                journal.restart({"open cat.glb", "# no more"});
+            });
+        const std::vector<LostWork> lost = lostWork(folder_);
+        ASSERT_EQ(lost.size(), 1u) << "killed before call " << call;
+        const std::string lines = contentOf(lost[0].path);
+        const bool isOld = lines == "open fox.glb\nundo\n";
+        EXPECT_TRUE(isOld || lines == "open cat.glb\n# no more\n") << lines;
+        ++(isOld ? old : fresh);
+        discardLostWork(lost[0]);
+    }
+    EXPECT_GT(old, 3);  // before the file is made, locked, written, renamed
+    EXPECT_GT(fresh, 1);
+}
+
+TEST_F(JournalTest, KillAtAnyStepOfTakingOverKeepsTheLostWork) {
+    const std::string lines = "open fox.glb\nundo\n";
+    int calls = 0;
+    for (bool more = true; more; ++calls) {
+        leaveBehind("lost.journal", lines + "stroke comb rad");
+        more = killedBefore(
+            calls, [] { return std::make_unique<int>(); },
+            [&](int) {
+                static Journal journal(folder_);
+                journal.takeOver(lostWork(folder_).at(0), lines);
+            });
+        const std::vector<LostWork> lost = lostWork(folder_);
+        ASSERT_EQ(lost.size(), 1u) << "killed before call " << calls;
+        EXPECT_EQ(lost[0].path, folder_ + "/lost.journal");
+        EXPECT_EQ(lost[0].edits, 1u);
+        EXPECT_TRUE(contentOf(lost[0].path).starts_with(lines)) << "killed before call " << calls;
+    }
+    EXPECT_GT(calls, 10);
+    EXPECT_EQ(contentOf(folder_ + "/lost.journal"), lines);  // the last time nobody was killed
 }
 
 // What an editor does that is killed: it tells through a pipe how many appends have returned.
