@@ -31,11 +31,13 @@ void TextScan::refuseAt(std::size_t line, const std::string& what) const {
     throw std::runtime_error(file_ + ": line " + std::to_string(line) + ": " + what);
 }
 
+bool TextScan::atJoint() const { return end_ - at_ > 1 && *at_ == '\\' && endsLine(at_[1]); }
+
 void TextScan::skipBlanks() {
     while (at_ != end_) {
         if (isBlank(*at_)) {
             ++at_;
-        } else if (*at_ == '\\' && at_ + 1 != end_ && endsLine(at_[1])) {
+        } else if (atJoint()) {
             ++at_;
             nextLine();
         } else {
@@ -65,7 +67,7 @@ bool TextScan::nextContent() {
 std::string_view TextScan::word() {
     if (atLineEnd()) return {};
     const char* first = at_;
-    while (at_ != end_ && !isBlank(*at_) && !endsLine(*at_)) ++at_;
+    while (at_ != end_ && !isBlank(*at_) && !endsLine(*at_) && !atJoint()) ++at_;
     return {first, static_cast<std::size_t>(at_ - first)};
 }
 

@@ -10,8 +10,9 @@
 
 namespace pelage {
 
-// Lines end in \n, \r\n or \r. A backslash before the end of a line joins it with the next, and
-// from '#' on a line is a comment. Every refusal is "horse.obj: line 12: ...".
+// Lines end in \n, \r\n or \r. A backslash before the end of a line joins it with the next; a
+// word ends there. From a '#' that begins a word, the line is a comment. Every refusal is
+// "horse.obj: line 12: ...".
 class TextScan {
 public:
     // `bytes` must outlive the scan.
@@ -46,6 +47,7 @@ public:
     [[noreturn]] void refuseAt(std::size_t line, const std::string& what) const;
 
 private:
+    bool atJoint() const;  // of two lines
     void skipBlanks();
 
     std::string file_;
