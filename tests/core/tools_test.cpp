@@ -1,0 +1,132 @@
+// tools_test.cpp -- the promises of tools.h: each tool at one vertex.
+#include "core/tools.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "canvas.h"
+
+namespace pelage {
+namespace {
+
+using test::brushOf;
+using test::Canvas;
+using test::kAllTools;
+using test::kUp;
+
+constexpr uint kVertex = 7;
+
+// A sheet that faces up, and what a tool makes of one of its vertices.
+struct OneVertex : Canvas {
+    OneVertex() : Canvas(test::sheet(4)) {}
+
+    FurVertex& fur() { return groom.fur.edit(kVertex); }
+    FurVertex after(const Brush& brush, float coverage, vec3 path = vec3(0.0f),
+                    FurVertex around = {}) const {
+        return brushedFur(*skin, groom, brush, kVertex, {coverage, path, around});
+    }
+    float maskAfter(const Brush& brush, float coverage) const {
+        return brushedMask(groom, brush, kVertex, {coverage, vec3(0.0f), {}});
+    }
+};
+
+Brush halfBrush(Tool tool, Mode mode = Mode::add) { return brushOf(tool, mode, 0.2f, 0.5f); }
+
+TEST(Tools, LengthGrowsOrShrinksByTheShareOfFourPercentOfTheSize) {
+    OneVertex one;
+    const float before = one.fur().furLength, step = 0.5f * 0.8f * 0.04f * one.skin->size();
+    EXPECT_FLOAT_EQ(one.after(halfBrush(Tool::length), 0.8f).furLength, before + step);
+    EXPECT_FLOAT_EQ(one.after(halfBrush(Tool::length, Mode::subtract), 0.8f).furLength,
+                    before - step);
+}
+
+TEST(Tools, SetTendsToTheValueByTheShare) {
+    OneVertex one;
+    one.fur().furLength = 0.05f;
+    one.fur().density = 1.0f;
+    one.groom.mask.edit(kVertex) = 0.0f;
+    EXPECT_FLOAT_EQ(one.after(halfBrush(Tool::length, Mode::set), 0.8f).furLength,
+                    0.6f * 0.05f + 0.4f * 0.25f);
+    EXPECT_FLOAT_EQ(one.after(halfBrush(Tool::density, Mode::set), 0.8f).density,
+                    0.6f * 1.0f + 0.4f * 0.25f);
+    EXPECT_FLOAT_EQ(one.maskAfter(halfBrush(Tool::mask, Mode::set), 0.8f), 0.4f * 0.25f);
+}
+
+TEST(Tools, DensityAndMaskGoUpOrDownByTheShareAndStayInRange) {
+    OneVertex one;
+    one.fur().density = 0.5f;
+    EXPECT_FLOAT_EQ(one.after(halfBrush(Tool::density), 0.8f).density, 0.9f);
+    EXPECT_FLOAT_EQ(one.after(halfBrush(Tool::density, Mode::subtract), 0.8f).density, 0.1f);
+    EXPECT_EQ(one.after(brushOf(Tool::density), 0.8f).density, 1.0f);
+    EXPECT_EQ(one.after(brushOf(Tool::density, Mode::subtract), 0.8f).density, 0.0f);
+    one.groom.mask.edit(kVertex) = 0.5f;
+    EXPECT_FLOAT_EQ(one.maskAfter(halfBrush(Tool::mask), 0.8f), 0.9f);
+    EXPECT_FLOAT_EQ(one.maskAfter(halfBrush(Tool::mask, Mode::subtract), 0.8f), 0.1f);
+    EXPECT_EQ(one.maskAfter(brushOf(Tool::mask), 0.8f), 1.0f);
+    EXPECT_EQ(one.maskAfter(brushOf(Tool::mask, Mode::subtract), 0.8f), 0.0f);
+}
+
+TEST(Tools, CombTendsToThePathOnTheTangentPlaneAndKeepsTheLength) {
+    OneVertex one;
+    one.fur().direction = vec3(0.0f, 0.0f, 0.5f);
+    // The length of the path does not count, nor its part along the normal.
+    const vec3 path(300.0f, 400.0f, 0.0f), along(1.0f, 0.0f, 0.0f);
+    for (const float coverage : {0.25f, 1.0f}) {
+        const FurVertex with = one.after(brushOf(Tool::comb), coverage, path);
+        const FurVertex against = one.after(brushOf(Tool::comb, Mode::subtract), coverage, path);
+        const vec3 rest = (1.0f - coverage) * one.fur().direction;
+        EXPECT_LT(glm::distance(with.direction, rest + coverage * along), 1e-6f);
+        EXPECT_LT(glm::distance(against.direction, rest - coverage * along), 1e-6f);
+        EXPECT_EQ(with.furLength, one.fur().furLength);
+    }
+}
+
+TEST(Tools, CombDoesNothingWithoutAPathOnTheTangentPlane) {
+    OneVertex one;
+    for (const vec3 path : {vec3(0.0f), 3.0f * kUp, vec3(NAN), vec3(INFINITY)})
+        EXPECT_EQ(one.after(brushOf(Tool::comb), 1.0f, path), one.fur());
+}
+
+TEST(Tools, SmoothTendsToTheMeanByTheShare) {
+    OneVertex one;
+    const FurVertex before = one.fur(), mean{vec3(0.3f, 0.0f, 0.1f), 0.2f, 0.9f, 0, 0, 0};
+    const FurVertex after = one.after(halfBrush(Tool::smooth), 0.5f, vec3(0.0f), mean);
+    EXPECT_FLOAT_EQ(after.furLength, glm::mix(before.furLength, mean.furLength, 0.25f));
+    EXPECT_FLOAT_EQ(after.density, glm::mix(before.density, mean.density, 0.25f));
+    EXPECT_LT(glm::distance(after.direction, glm::mix(before.direction, mean.direction, 0.25f)),
+              1e-6f);
+}
+
+TEST(Tools, TheMaskHoldsBackAllButTheMaskTool) {
+    OneVertex one;
+    const FurVertex before = one.fur(), around{vec3(0.3f, 0.0f, 0.1f), 0.2f, 0.9f, 0, 0, 0};
+    const vec3 path(1.0f, 0.0f, 0.0f);
+    for (const Tool tool : kAllTools) {
+        if (tool == Tool::mask) continue;
+        const Brush brush = brushOf(tool, Mode::subtract);
+        one.groom.mask.edit(kVertex) = 0.0f;
+        const FurVertex bare = one.after(brush, 1.0f, path, around);
+        EXPECT_FALSE(bare == before) << toolInfo(tool).name;
+        one.groom.mask.edit(kVertex) = 0.75f;
+        const FurVertex held = one.after(brush, 1.0f, path, around);
+        EXPECT_FLOAT_EQ(held.furLength, glm::mix(bare.furLength, before.furLength, 0.75f));
+        EXPECT_FLOAT_EQ(held.density, glm::mix(bare.density, before.density, 0.75f));
+        EXPECT_LT(glm::distance(held.direction, glm::mix(bare.direction, before.direction, 0.75f)),
+                  1e-6f);
+        one.groom.mask.edit(kVertex) = 1.0f;
+        EXPECT_EQ(one.after(brush, 1.0f, path, around), before);
+    }
+    EXPECT_EQ(one.maskAfter(brushOf(Tool::mask, Mode::subtract), 0.75f), 0.25f);
+}
+
+TEST(Tools, OnlyTheMaskToolChangesTheMaskAndItNothingElse) {
+    OneVertex one;
+    one.groom.mask.edit(kVertex) = 0.25f;
+    for (const Tool tool : kAllTools)
+        EXPECT_EQ(one.maskAfter(brushOf(tool), 0.5f), tool == Tool::mask ? 0.75f : 0.25f);
+    EXPECT_EQ(one.after(brushOf(Tool::mask), 1.0f), one.fur());
+}
+
+}  // namespace
+}  // namespace pelage
