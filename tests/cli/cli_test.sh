@@ -6,6 +6,11 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 unset DISPLAY WAYLAND_DISPLAY
+for tool in node identify; do
+    command -v $tool >/dev/null && continue
+    echo "$tool is not installed (Debian: nodejs, imagemagick)"
+    exit 1
+done
 failures=0
 
 fail() {
@@ -25,7 +30,7 @@ good() {
     expect 0 "$@"
     [ ! -s err.txt ] || fail "stderr of pelage $*: $(cat err.txt)"
 }
-# good, and stdout is one JSON object for which every Python expression over j is true.
+# good, and stdout is one JSON object for which every JavaScript expression over j is true.
 json() {
     local checks=()
     while [ "$1" != -- ]; do
@@ -110,7 +115,7 @@ bad 1 'none\.obj: ' info none.obj
 bad 1 'none\.obj: ' info none.obj --json
 bad 1 '\.: ' info .
 bad 2 'info .*FILE is required' info
-bad 2 'info .*' info tetra.obj animal.glb
+bad 2 'info .*not expected: animal\.glb' info tetra.obj animal.glb
 bad 2 'info .*--no-such-option' info --no-such-option tetra.obj
 head -c 100 animal.glb >cut.glb
 bad 1 'cut\.glb: ' info cut.glb
@@ -123,6 +128,8 @@ for name in info -x.obj --help 'a b.obj' '[x].obj' '{}' 'ü.obj' $'new\nline.obj
     cp tetra.obj "./$file"
     json 'j.triangles === 4' -- info --json -- "$file"
     good export -o named.glb -- "$file"
+    json 'j.triangles === 4' 'j.hasFur' -- info --json named.glb
+    rm named.glb
 done
 cp animal.glb ./info
 cp animal.glb ./--json
@@ -189,11 +196,12 @@ bad 2 'render .*--samples' render tetra.obj --samples 0 -o never.png
 bad 2 'render .*--pitch' render tetra.obj --pitch nan -o never.png
 bad 2 'render .*--distance' render tetra.obj --distance 0 -o never.png
 bad 2 'render .*--distance' render tetra.obj --distance nan -o never.png
+[ ! -e never.png ] || fail "a refused render wrote a file"
 
 # Wrong use of the program itself.
 bad 2 '.*--nonsense' --nonsense
 bad 2 '"tetra\.obj" stands before the verb info' tetra.obj info animal.glb
-bad 2 '.*' tetra.obj animal.glb
+bad 2 '.*not expected: animal\.glb' tetra.obj animal.glb
 
 # Without a display: pictures and a groomed .glb in place of the editor.
 json 'j.written.length === 5' 'j.written.includes("pelage-out/tetra-groomed.glb")' -- --json tetra.obj
@@ -206,7 +214,9 @@ bad 1 'none\.obj: ' none.obj
 # A full disk is failed work.
 if [ -e /dev/full ]; then
     "$program" presets >/dev/full 2>err.txt
-    [ $? = 1 ] || fail "exit status of a full stdout"
+    status=$?
+    [ $status = 1 ] || fail "exit status $status, expected 1, of a full stdout"
+    [ "$(wc -l <err.txt)" = 1 ] || fail "stderr of a full stdout: $(cat err.txt)"
 fi
 
 [ "$failures" = 0 ] && echo "the command line is right"

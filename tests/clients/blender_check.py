@@ -70,17 +70,20 @@ polygons = sum(len(o.data.polygons) for o in things)
 edges = sum(len(o.data.edges) for o in things)
 print(f"{path}: {vertices} vertices, {edges} edges, {polygons} polygons")
 wanted = counts_of(gltf, data)
-assert (vertices, edges, polygons) == wanted, wanted
-assert vertices == info["vertices"] - info["unusedVertices"]
+assert (vertices, edges, polygons) == wanted, f"the file has {wanted}"
+used = info["vertices"] - info["unusedVertices"]
+assert vertices == used, f"the program says {used} vertices"
 
 for thing in things:
     block = blender_example.coats_of(thing)
     source = gltf["meshes"][0]["extras"]["fur"]
-    assert int(block["version"]) == 1
-    assert int(block["seed"]) == source["seed"] and int(block["hairs"]) == source["hairs"]
+    for name in ("version", "seed", "hairs"):
+        assert int(block[name]) == source[name], f"{name} is {block[name]}, not {source[name]}"
     for coat in ("over", "under"):
-        assert set(block[coat]) == set(source[coat])
-        assert near(block[coat]["stiffness"], source[coat]["stiffness"])
+        names = set(block[coat]) ^ set(source[coat])
+        assert not names, f"{coat} differs in {names}"
+        stiffness = block[coat]["stiffness"]
+        assert near(stiffness, source[coat]["stiffness"]), f"{coat}.stiffness is {stiffness}"
     assert thing.get("fur"), "the block is not on the object"
     assert thing.data.get("fur"), "the block is not on the mesh"
 
@@ -89,14 +92,17 @@ if fields:
     for name, values in (("length", [f[0] for f in fields]), ("density", [f[1] for f in fields]),
                          ("direction", [f[2].length for f in fields])):
         wanted = info["fields"][name]
-        assert near(max(values), wanted["max"]), (name, max(values), wanted)
-        assert near(min(values), wanted["min"]), (name, min(values), wanted)
+        assert near(max(values), wanted["max"]) and near(min(values), wanted["min"]), (
+            f"{name} is {min(values)} to {max(values)}, the program says {wanted}")
     print(f"{len(fields)} vertices with fur")
 mirrored = "uvSet" in gltf["meshes"][0]["extras"]["fur"]
-assert bool(fields) == (mirrored or bpy.app.version >= (3, 5, 0))
+assert mirrored == path.endswith("_uvs.glb"), f"mirror in UV sets: {mirrored}"
+assert bool(fields) == (mirrored or bpy.app.version >= (3, 5, 0)), f"{len(fields)} with fur"
 
 armatures = [o for o in bpy.data.objects if o.type == "ARMATURE"]
 bones = sum(len(o.data.bones) for o in armatures)
-assert bones == sum(len(s["joints"]) for s in gltf.get("skins", [])), bones
-assert len(bpy.data.actions) == len(gltf.get("animations", [])), list(bpy.data.actions)
+joints = sum(len(s["joints"]) for s in gltf.get("skins", []))
+assert bones == joints, f"{bones} bones for {joints} joints"
+animations = len(gltf.get("animations", []))
+assert len(bpy.data.actions) == animations, f"{list(bpy.data.actions)} for {animations} animations"
 print(f"{bones} bones, {len(bpy.data.actions)} animations")

@@ -47,12 +47,14 @@ def main(path, info_path):
     found = ranges(text, "_FUR_DIRECTION")
     assert found and all(len(pairs) == 3 for pairs in found), f"no vectors:\n{text}"
     longest = info["fields"]["direction"]["max"]
-    for pairs in found:
-        for least, greatest in pairs:
-            assert -longest - 1e-4 <= least <= greatest <= longest + 1e-4, pairs
+    ends = [end for pairs in found for pair in pairs for end in pair]
+    largest = max(map(abs, ends))  # of one component, of three
+    assert longest / 3**0.5 - 1e-4 <= largest <= longest + 1e-4, (
+        f"components of directions are up to {largest}, the program says {longest} long")
     print(f"direction: {found}")
-    assert total(text, "points") == info["vertices"], f"{total(text, 'points')} points"
-    assert total(text, "polygons") == info["triangles"], f"{total(text, 'polygons')} polygons"
+    for name, wanted in (("points", info["vertices"]), ("polygons", info["triangles"])):
+        shown = total(text, name)
+        assert shown == wanted, f"{shown} {name}, the program says {wanted}"
 
 
 main(*sys.argv[1:])

@@ -81,6 +81,7 @@ for (const [p, fur] of furs.entries()) {
   vertices += fur.length.count;
   triangles += (fur.mesh.geometry.index ?? fur.length).count / 3;
 
+  assert.equal(fur.coats.uvSet !== undefined, path.endsWith("_uvs.glb"), "the mirror in UV sets");
   if (fur.coats.uvSet !== undefined) {
     assert.equal(fur.coats.uvSet, 2);
     const names = ["uv2", "uv3", "texcoord_4"].map((name) => fur.mesh.geometry.attributes[name]);
