@@ -1,4 +1,4 @@
-// depth_key.glsl -- window depth and a few bits of a hair's id in one word that atomicMin can order.
+// depth_key.glsl -- window depth and a few bits of a hair's id in one word for atomicMin to order.
 
 // depth in [0,1], 24 bits; the id breaks ties, so that the picture does not depend on which thread
 // came first.

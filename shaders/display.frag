@@ -6,7 +6,8 @@ out vec4 color;
 // IEC 61966-2-1.
 vec3 encodeSrgb(vec3 c) {
     c = clamp(c, 0.0, 1.0);
-    return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c, lessThanEqual(c, vec3(0.0031308)));
+    return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c,
+               lessThanEqual(c, vec3(0.0031308)));
 }
 
 void main() {

@@ -1,4 +1,4 @@
-// frame.glsl -- what every pass of a frame reads: the view, the fur, and the buffers of the document.
+// frame.glsl -- what every pass of a frame reads: the view, the fur, the buffers of the document.
 #include "types.glsl"
 
 layout(std140, binding = 0) uniform FrameBlock {

@@ -16,9 +16,10 @@ void main() {
     uv = corner.uv;
     vec3 n = v.normal;
     if (dot(n, toEye(v.position)) < 0.0) n = -n;  // open meshes are seen from inside too
-    float depth = frame.overlay != 0u ? 0.0
-                                      : depthInCoat(fur, frame.hairsPerArea * f.density, f.furLength,
-                                                    frame.overWidth, frame.underWidth, 0u, 0.0);
+    float depth = frame.overlay != 0u
+                      ? 0.0
+                      : depthInCoat(fur, frame.hairsPerArea * f.density, f.furLength,
+                                    frame.overWidth, frame.underWidth, 0u, 0.0);
     shade = skinRadiance(frame.light, fur.under, unpackUnorm4x8(corner.color).rgb, n, depth);
     field = frame.overlay == 1u   ? f.furLength
             : frame.overlay == 2u ? f.density

@@ -101,7 +101,8 @@ inline Texture makeTexture(ivec2 size, GLenum format, GLsizei levels = 1) {
     GLuint name = 0;
     glCreateTextures(GL_TEXTURE_2D, 1, &name);
     glTextureStorage2D(name, levels, format, size.x, size.y);
-    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST);
+    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER,
+                        levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST);
     glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, levels > 1 ? GL_LINEAR : GL_NEAREST);
     return Texture(name);
 }

@@ -21,7 +21,8 @@
 namespace pelage {
 
 HeadlessContext::HeadlessContext() {
-    display_ = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    display_ =
+        eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr))
         throw std::runtime_error("no EGL display without a surface");
     eglBindAPI(EGL_OPENGL_API);
@@ -50,8 +51,7 @@ HeadlessContext::~HeadlessContext() {
 
 void writePng(const std::string& path, ivec2 size, const std::vector<unsigned char>& rgba) {
     int bytes = 0;
-    unsigned char* png =
-        stbi_write_png_to_mem(rgba.data(), size.x * 4, size.x, size.y, 4, &bytes);
+    unsigned char* png = stbi_write_png_to_mem(rgba.data(), size.x * 4, size.x, size.y, 4, &bytes);
     if (!png) throw std::runtime_error(path + ": the picture could not be encoded");
     const std::vector<unsigned char> encoded(png, png + bytes);
     std::free(png);

@@ -8,7 +8,7 @@
 
 namespace pelage {
 
-// Current on this thread while it lives. Throws std::runtime_error when there is no EGL 4.5 context.
+// Current on this thread while it lives. Throws std::runtime_error without an EGL 4.5 context.
 class HeadlessContext {
 public:
     HeadlessContext();

@@ -36,7 +36,8 @@ public:
     const std::vector<Part>& parts() const { return parts_; }
     const gl::Buffer& indices() const { return sourceTriangles_; }
     bool textured() const { return textured_; }
-    float longestHair() const;  // m, of all vertices
+    // m, of all vertices
+    float longestHair() const;
     std::size_t chunksUploaded() const { return chunksUploaded_; }  // by the last update
     std::size_t bytes() const;
 
@@ -52,8 +53,8 @@ private:
     std::vector<Part> parts_;
     std::size_t chunksUploaded_ = 0;
     std::vector<float> longestOfChunk_;
-    gl::Buffer skinVertices_, furVertices_, triangles_, sourceTriangles_, corners_, materials_, mask_,
-        rootBuffer_, furBlock_;
+    gl::Buffer skinVertices_, furVertices_, triangles_, sourceTriangles_, corners_, materials_,
+        mask_, rootBuffer_, furBlock_;
     gl::Texture baseColors_;
 };
 

@@ -21,7 +21,9 @@ public:
                  const mat4& viewProjection, const gl::Texture& skinDepth);
 
     const gl::Texture& picture() const { return picture_; }
-    std::size_t bytes() const { return static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * 20; }
+    std::size_t bytes() const {
+        return static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * 20;
+    }
 
 private:
     ivec2 size_{0};

@@ -77,15 +77,17 @@ struct CostModel {
     }
     float share(float budget, std::size_t hairs) const {
         const double room = std::max(budget - rest, 0.15 * budget);
-        return static_cast<float>(room / (perHair * static_cast<double>(std::max<std::size_t>(hairs, 1))));
+        return static_cast<float>(room /
+                                  (perHair * static_cast<double>(std::max<std::size_t>(hairs, 1))));
     }
 };
 
 // OpenGL 4.5 promises fewer storage buffers than the shaders read; every desktop driver has more.
 void requireCapabilities() {
     if (epoxy_gl_version() < 45)
-        throw std::runtime_error("OpenGL 4.5 is needed, the driver offers " +
-                                 std::string(reinterpret_cast<const char*>(glGetString(GL_VERSION))));
+        throw std::runtime_error(
+            "OpenGL 4.5 is needed, the driver offers " +
+            std::string(reinterpret_cast<const char*>(glGetString(GL_VERSION))));
     const struct {
         GLenum limit;
         int needed;
@@ -172,9 +174,8 @@ FrameData Renderer::Parts::frameData(const Document& document, const View& view,
     };
     frame.overWidth = width(fur.over);
     frame.underWidth = width(fur.under);
-    frame.hairsPerArea = document.skin->area > 0.0
-                             ? static_cast<float>(fur.hairs / document.skin->area)
-                             : 0.0f;
+    frame.hairsPerArea =
+        document.skin->area > 0.0 ? static_cast<float>(fur.hairs / document.skin->area) : 0.0f;
     frame.coats = (view.showOver ? 1u : 0u) | (view.showUnder ? 2u : 0u);
     frame.textured = mirror.textured() ? 1u : 0u;
     return frame;
@@ -250,7 +251,8 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
         const double strandSeconds = secondsSince(strandStart);
         if (!single) p.postPass.accumulate(p.color, p.samples == 0);
         ++p.samples;
-        p.postPass.display(p.samples, p.color, view.lines, p.viewProjection(document, view), p.depth);
+        p.postPass.display(p.samples, p.color, view.lines, p.viewProjection(document, view),
+                           p.depth);
         glFinish();
         p.stats.seconds = secondsSince(start);
         if (view.budget > 0.0f) p.cost.learn(tried, strandSeconds, p.stats.seconds - strandSeconds);
@@ -258,7 +260,8 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
         p.stats.hairsDrawn = p.strandPass.hairsDrawn();
         p.stats.samples = p.samples;
     } else if (!view.lines.empty() || p.linesShown) {
-        p.postPass.display(p.samples, p.color, view.lines, p.viewProjection(document, view), p.depth);
+        p.postPass.display(p.samples, p.color, view.lines, p.viewProjection(document, view),
+                           p.depth);
     }
     p.linesShown = !view.lines.empty();
     p.stats.finished = p.samples >= wanted;

@@ -14,21 +14,21 @@ namespace pelage {
 
 enum class Overlay { none, length, density, direction, mask };
 
-struct OverlayLine {  // drawn over everything, with the depth of the skin tested
+struct OverlayLine {        // drawn over everything, with the depth of the skin tested
     vec3 a{0.0f}, b{0.0f};  // world
     vec4 color{1.0f};       // display RGB, alpha
 };
 
 struct View {
     Camera camera;
-    ivec2 size{900, 900};      // pixels
+    ivec2 size{900, 900};  // pixels
     Overlay overlay = Overlay::none;
     bool showSkin = true, showOver = true, showUnder = true;
-    uint segments = 8;         // of a hair, [1, 16]
+    uint segments = 8;           // of a hair, [1, 16]
     bool cullByDistance = true;  // van Gelder and Wilhelms 1997, 3.3: hairs ~ 1/distance
-    float share = 1.0f;        // of the hairs that the distance leaves, the share drawn, (0,1]
-    float budget = 0.0f;       // s per frame; 0 = no bound. With a bound share is lowered to fit
-    int samples = 1;           // frames that the still picture averages, [1, 1024]
+    float share = 1.0f;          // of the hairs that the distance leaves, the share drawn, (0,1]
+    float budget = 0.0f;         // s per frame; 0 = no bound. With a bound share is lowered to fit
+    int samples = 1;             // frames that the still picture averages, [1, 1024]
     vec3 background{0.58f, 0.63f, 0.69f};  // linear RGB
     std::span<const OverlayLine> lines;
     bool operator==(const View&) const = delete;
