@@ -7,6 +7,7 @@
 import json
 import os
 import queue
+import shutil
 import signal
 import subprocess
 import sys
@@ -14,6 +15,8 @@ import tempfile
 import threading
 import time
 import unittest
+
+import xdnd
 
 PELAGE, MESHES, OUT = sys.argv[-3:]
 PATIENCE = 90  # s until a trace line must have come; software OpenGL on a busy machine is slow
@@ -82,6 +85,11 @@ class Editor:
 
     def do(self, *command):
         subprocess.run(["xdotool", *map(str, command)], env=self.environment, check=True)
+
+    def window(self):
+        found = subprocess.run(["xdotool", "search", "--pid", str(self.process.pid)],
+                               env=self.environment, check=True, capture_output=True, text=True)
+        return int(found.stdout.split()[0])
 
     def key(self, name):
         self.do("key", name)
@@ -246,6 +254,91 @@ class EditorInAWindow(unittest.TestCase):
         self.assertEqual(self.info(saved)["fields"], self.info(self.path("untouched.glb"))["fields"])
         self.assertNotEqual(self.info(saved)["fields"],
                             self.info(self.path("saved.glb"))["fields"])
+
+    def restore(self, killed):
+        """Kills the editor and takes up its work in another one."""
+        killed.process.send_signal(signal.SIGKILL)
+        killed.process.wait()
+        again = self.start(self.mesh)
+        again.expect("lost")
+        again.ready()
+        again.key("Return")
+        again.expect("restored")
+        return again
+
+    def fields(self, path):
+        return self.info(path)["fields"]
+
+    def stroke(self, editor):
+        editor.drag()
+        editor.expect("commit Length")
+
+    def test_steps_from_before_saving_are_kept_both_ways(self):
+        editor = self.start(self.mesh)
+        editor.ready()
+        editor.key("l")
+        self.stroke(editor)
+        self.stroke(editor)
+        editor.save(self.path("two.glb"))
+        for _ in range(2):
+            editor.key("ctrl+z")
+            editor.expect("undo")
+        again = self.restore(editor)
+        none = again.save(self.path("none.glb"))
+        subprocess.run([PELAGE, "export", self.mesh, "-o", self.path("untouched.glb")], check=True,
+                       stdout=subprocess.DEVNULL)
+        self.assertEqual(self.fields(none), self.fields(self.path("untouched.glb")))
+
+        time.sleep(2)  # until keys reach the tools again
+        again.key("l")
+        self.stroke(again)
+        again.answer("ctrl+e", self.path("one.glb"))
+        again.expect("exported")
+        again.key("ctrl+z")
+        again.expect("undo")
+        again.key("ctrl+s")
+        again.expect("saved")
+        again.key("ctrl+shift+z")
+        again.expect("redo")
+        last = self.restore(again)
+        redone = last.save(self.path("redone.glb"))
+        self.assertEqual(last.close(), 0)
+        self.assertEqual(last.journals(), [])
+        self.assertEqual(self.fields(redone), self.fields(self.path("one.glb")))
+        self.assertNotEqual(self.fields(redone), self.fields(none))
+
+    def test_exporting_over_the_open_file_does_not_make_its_steps_twice(self):
+        path = self.path("open.glb")
+        subprocess.run([PELAGE, "export", self.mesh, "-o", path], check=True,
+                       stdout=subprocess.DEVNULL)
+        editor = self.start(path)
+        editor.ready()
+        editor.key("l")
+        self.stroke(editor)
+        before = self.fields(path)
+        editor.answer("ctrl+e", path)
+        time.sleep(1)
+        editor.key("Return")  # yes, replace it
+        editor.expect("exported")
+        again = self.restore(editor)
+        saved = again.save(self.path("restored.glb"))
+        self.assertEqual(again.close(), 0)
+        self.assertEqual(self.fields(saved), self.fields(path))
+        self.assertNotEqual(self.fields(saved), before)
+
+    def test_a_dropped_file_and_a_recent_one_are_opened(self):
+        editor = self.start(self.mesh)
+        editor.ready()
+        dropped = self.path("with space" + os.path.splitext(self.mesh)[1])
+        shutil.copy(self.mesh, dropped)
+        xdnd.drop(self.display.name, editor.window(), dropped)
+        self.assertEqual(editor.expect("opened"), dropped)
+        time.sleep(2)  # until the window is drawn again
+        # File, Open recent, and the second: the first is what is open.
+        for x, y in ((25, 12), (60, 60), (320, 80)):
+            editor.do("mousemove", x, y, "sleep", "0.5", "click", 1, "sleep", "1")
+        self.assertEqual(editor.expect("opened"), os.path.normpath(self.mesh))
+        self.assertEqual(editor.close(), 0)
 
     def test_dragging_a_slider_is_one_step(self):
         editor = self.start(self.mesh)
