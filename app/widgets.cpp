@@ -206,6 +206,12 @@ std::optional<vec3> parameterRow(Ui ui, const Parameter& row, vec3 value, vec3 f
             changed = vec3(edited[0], edited[1], edited[2]);
         tip(ui, row.help, row.unit);
         if (resetClicked()) changed = fallback;
+    } else if (row.kind == ParameterKind::choice) {
+        rowLabel(ui, row.label);
+        if (const auto chosen =
+                choiceList(ui, "##choice", row.choices, static_cast<int>(value.x)))
+            changed = vec3(static_cast<float>(*chosen), 0.0f, 0.0f);
+        tip(ui, row.help);
     } else if (row.unit == std::string_view("m")) {
         changed = lengthRow(ui, row, value, fallback, size);
     } else if (row.kind == ParameterKind::count && row.greatest > 1e9f) {

@@ -21,7 +21,7 @@ FurVertex furAt(const animal::Shape& shape, vec3 p, vec3 n) {
     const float side = p.x < 0.0f ? -1.0f : 1.0f;
     const vec3 half(std::abs(p.x), p.y, p.z);
     const animal::Blend blend = shape.blend(half);
-    FurVertex fur{};
+    FurVertex fur = kBareFur;
     vec3 comb(0.0f);
     for (const animal::Blend::Term& term : blend) {
         fur.furLength += term.weight * term.part->furLength;
@@ -94,7 +94,7 @@ Document groomedAnimal(std::size_t triangles) {
         fur[v] = furAt(shape, skin->vertices[v].position, skin->vertices[v].normal);
     });
     smoothDirections(*skin, fur);
-    Groom groom{Chunked<FurVertex>(count, FurVertex{}), Chunked<float>(count, 0.0f)};
+    Groom groom{Chunked<FurVertex>(count, kBareFur), Chunked<float>(count, 0.0f)};
     for (std::size_t v = 0; v < count; ++v) groom.fur.edit(v) = fur[v];
     return {skin, std::move(groom), animalFur()};
 }

@@ -18,7 +18,11 @@ namespace {
 
 using Kind = ParameterKind;
 
+constexpr const char* kStyles[] = {"line", "polyline", "ribbon", "nurbs-curve", "nurbs-surface"};
+
 constexpr Parameter kCoatRows[] = {
+    {"style", "Hair style", "", "How a hair is drawn; a nurbs-surface is a tube, and the slowest.",
+     Kind::choice, 0, 4, offsetof(Coat, style), kStyles},
     {"stiffness", "Stiffness", "", "How much a hair resists gravity; 0 hangs, 1 stands.",
      Kind::scalar, 0, 1, offsetof(Coat, stiffness)},
     {"endRandomness", "End randomness", "share of length",
@@ -51,6 +55,20 @@ constexpr Parameter kCoatRows[] = {
      Kind::scalar, 0, 10, offsetof(Coat, width)},
     {"taper", "Taper", "share of width", "How much of its width a hair loses from root to tip.",
      Kind::scalar, 0, 1, offsetof(Coat, taper)},
+    {"clump", "Clump", "", "How far the tips of a clump gather to the tip of its middle hair.",
+     Kind::scalar, 0, 1, offsetof(Coat, clump)},
+    {"clumpSize", "Clump size", "hairs", "Hairs that gather to one.", Kind::scalar, 2, 1000,
+     offsetof(Coat, clumpSize)},
+    {"clumpShape", "Clump shape", "exponent", "How late along the hair a clump closes.",
+     Kind::scalar, 0.5f, 4, offsetof(Coat, clumpShape)},
+    {"curlRadius", "Curl radius", "share of length", "How wide the curl is at the tip.",
+     Kind::scalar, 0, 0.5f, offsetof(Coat, curlRadius)},
+    {"curlTurns", "Curl turns", "turns", "How often the hair turns from root to tip.", Kind::scalar,
+     0, 20, offsetof(Coat, curlTurns)},
+    {"frizz", "Frizz", "share of length", "How far a hair wavers at the tip, each in its own way.",
+     Kind::scalar, 0, 0.5f, offsetof(Coat, frizz)},
+    {"frizzWaves", "Frizz waves", "waves", "How often it wavers from root to tip.", Kind::scalar, 1,
+     16, offsetof(Coat, frizzWaves)},
 };
 
 constexpr float kMaxUint = 4294967296.0f;  // the float next to 2^32 - 1
@@ -65,6 +83,16 @@ constexpr Parameter kFurRows[] = {
      offsetof(Fur, gravity)},
     {"gravityDirection", "Gravity direction", "unit vector", "Where hair falls, in the world.",
      Kind::direction, -1, 1, offsetof(Fur, gravityDirection)},
+    {"wind", "Wind", "", "How hard the wind pulls; 1 is as hard as gravity of strength 1.",
+     Kind::scalar, 0, 1, offsetof(Fur, wind)},
+    {"windDirection", "Wind direction", "unit vector", "Where the wind blows to, in the world.",
+     Kind::direction, -1, 1, offsetof(Fur, windDirection)},
+    {"gusts", "Gusts", "share of wind", "How far the wind swells and dies.", Kind::scalar, 0, 1,
+     offsetof(Fur, gusts)},
+    {"gustRate", "Gust rate", "Hz", "How often gusts come.", Kind::scalar, 0, 5,
+     offsetof(Fur, gustRate)},
+    {"gustSize", "Gust size", "m", "How far it is from gust to gust.", Kind::scalar, 1e-4f, 1e4f,
+     offsetof(Fur, gustSize)},
     {"seed", "Seed", "", "Another number gives another set of hairs.", Kind::count, 0, kMaxUint,
      offsetof(Fur, seed)},
 };
@@ -76,22 +104,24 @@ uint clampedCount(double value, const Parameter& row) {
     return static_cast<uint>(std::lround(clamped));
 }
 
+bool isWhole(const Parameter& row) { return row.kind == Kind::count || row.kind == Kind::choice; }
+
 uint countAt(const std::byte* object, const Parameter& row) {
-    assert(row.kind == Kind::count);
+    assert(isWhole(row));
     uint count = 0;
     std::memcpy(&count, object + row.offset, sizeof count);
     return count;
 }
 
 void setCountAt(std::byte* object, const Parameter& row, double value) {
-    assert(row.kind == Kind::count);
+    assert(isWhole(row));
     if (std::isnan(value)) return;
     const uint count = clampedCount(value, row);
     std::memcpy(object + row.offset, &count, sizeof count);
 }
 
 vec3 valueAt(const std::byte* object, const Parameter& row) {
-    if (row.kind == Kind::count) return {static_cast<float>(countAt(object, row)), 0.0f, 0.0f};
+    if (isWhole(row)) return {static_cast<float>(countAt(object, row)), 0.0f, 0.0f};
     vec3 value{0.0f};
     std::memcpy(&value, object + row.offset,
                 sizeof(float) * static_cast<std::size_t>(row.components()));
@@ -99,7 +129,7 @@ vec3 valueAt(const std::byte* object, const Parameter& row) {
 }
 
 void setValueAt(std::byte* object, const Parameter& row, vec3 value) {
-    if (row.kind == Kind::count) return setCountAt(object, row, value.x);
+    if (isWhole(row)) return setCountAt(object, row, value.x);
     if (row.kind == Kind::direction) {
         const std::optional<vec3> unit = unitDirection(value);
         if (!unit) return;
@@ -169,7 +199,9 @@ uint parseCount(const std::string& path, const Parameter& row, std::string_view 
 template <class Object>
 void setFromText(Object& object, const std::string& path, const Parameter& row,
                  std::string_view text) {
-    if (row.kind == Kind::count) {
+    if (row.kind == Kind::choice) {
+        setParameterCount(object, row, choiceNamed(path, row, text));
+    } else if (row.kind == Kind::count) {
         setParameterCount(object, row, parseCount(path, row, text));
     } else {
         setParameter(object, row, parseValue(path, row, text));
@@ -179,6 +211,8 @@ void setFromText(Object& object, const std::string& path, const Parameter& row,
 }  // namespace
 
 std::span<const Parameter> coatParameters() { return kCoatRows; }
+
+const Parameter& styleRow() { return *rowNamed(kCoatRows, "style"); }
 
 std::span<const Parameter> furParameters() { return kFurRows; }
 
@@ -198,6 +232,10 @@ Fur defaultFur() {
     over.colorNoise = 0.22f;
     over.width = 0.0f;
     over.taper = 1.0f;
+    over.style = kStylePolyline;
+    over.clumpSize = 50.0f;
+    over.clumpShape = 2.0f;
+    over.frizzWaves = 4.0f;
 
     Coat under = over;
     under.stiffness = 0.7f;
@@ -213,6 +251,10 @@ Fur defaultFur() {
     fur.under = under;
     fur.gravityDirection = {0.0f, -1.0f, 0.0f};
     fur.gravity = 1.0f;
+    fur.windDirection = {1.0f, 0.0f, 0.0f};
+    fur.gusts = 0.5f;
+    fur.gustRate = 0.5f;
+    fur.gustSize = 0.25f;
     fur.share = 0.3f;
     fur.hairs = 100'000;
     fur.seed = 1;
@@ -272,6 +314,11 @@ void setParameter(Fur& fur, std::string_view path, std::string_view value) {
 }
 
 std::string rangeText(const Parameter& row) {
+    if (row.kind == Kind::choice) {
+        std::string list;
+        for (const char* name : row.choices) list += (list.empty() ? "" : ", ") + std::string(name);
+        return list;
+    }
     const bool all32Bits = row.kind == Kind::count && row.greatest >= kMaxUint;
     return floatText(row.least) + ".." + (all32Bits ? "4294967295" : floatText(row.greatest));
 }
@@ -287,6 +334,15 @@ void checkRange(const std::string& path, const Parameter& row, vec3 value) {
         throw std::runtime_error(path + " is 0,0,0, which is no direction; range " +
                                  rangeText(row));
     }
+}
+
+uint choiceNamed(const std::string& path, const Parameter& row, std::string_view name) {
+    const auto found = std::ranges::find(row.choices, name,
+                                         [](const char* n) { return std::string_view(n); });
+    if (found == row.choices.end())
+        throw std::runtime_error(path + " is \"" + std::string(name) + "\", it may be " +
+                                 rangeText(row));
+    return static_cast<uint>(found - row.choices.begin());
 }
 
 uint checkedCount(const std::string& path, const Parameter& row, std::uint64_t value) {

@@ -15,7 +15,7 @@
 
 namespace pelage {
 
-enum class ParameterKind { scalar, color, direction, count };
+enum class ParameterKind { scalar, color, direction, count, choice };
 
 struct Parameter {
     const char* name;   // in files and on the command line
@@ -25,6 +25,7 @@ struct Parameter {
     ParameterKind kind;
     float least, greatest;  // of each component
     std::size_t offset;     // in Coat, or in Fur for furParameters()
+    std::span<const char* const> choices{};  // names of the values 0, 1, ... of a choice
 
     int components() const {
         return kind == ParameterKind::color || kind == ParameterKind::direction ? 3 : 1;
@@ -33,6 +34,8 @@ struct Parameter {
 
 std::span<const Parameter> coatParameters();  // one value for each coat
 std::span<const Parameter> furParameters();   // one value for both
+
+const Parameter& styleRow();                  // of coatParameters(): how a hair is drawn
 
 // The fur of a mesh that nobody has groomed yet.
 Fur defaultFur();
@@ -44,13 +47,15 @@ vec3 parameterValue(const Fur& fur, const Parameter& row);
 void setParameter(Coat& coat, const Parameter& row, vec3 value);
 void setParameter(Fur& fur, const Parameter& row, vec3 value);
 
-// The same for rows of counts, exactly: a float holds no more than 24 bits of a count.
+// The same for rows of counts, exactly, since a float holds no more than 24 bits of a count, and for
+// the number of a choice.
 uint parameterCount(const Coat& coat, const Parameter& row);
 uint parameterCount(const Fur& fur, const Parameter& row);
 void setParameterCount(Coat& coat, const Parameter& row, uint count);
 void setParameterCount(Fur& fur, const Parameter& row, uint count);
 
-// Sets one parameter from text: "over.stiffness" and "0.3", "under.tipColor" and "1,0.9,0.8".
+// Sets one parameter from text: "over.stiffness" and "0.3", "under.tipColor" and "1,0.9,0.8",
+// "both.style" and "ribbon".
 // Throws std::runtime_error naming the parameter, the text and the range; nothing is changed then.
 void setParameter(Fur& fur, std::string_view path, std::string_view value);
 

@@ -21,6 +21,7 @@ using FurJson = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::st
 template <class Object>
 FurJson valueToJson(const Object& object, const Parameter& row) {
     if (row.kind == ParameterKind::count) return parameterCount(object, row);
+    if (row.kind == ParameterKind::choice) return row.choices[parameterCount(object, row)];
     const vec3 value = parameterValue(object, row);
     if (row.components() == 3) return FurJson::array({value.x, value.y, value.z});
     return value.x;
@@ -69,7 +70,11 @@ void readRows(Object& object, std::span<const Parameter> rows, const FurJson& js
         const auto found = json.find(row.name);
         if (found == json.end()) continue;
         const std::string path = prefix + row.name;
-        if (row.kind == ParameterKind::count) {
+        if (row.kind == ParameterKind::choice) {
+            if (!found->is_string())
+                throw std::runtime_error(path + " is not one of " + rangeText(row));
+            setParameterCount(object, row, choiceNamed(path, row, found->get<std::string>()));
+        } else if (row.kind == ParameterKind::count) {
             setParameterCount(object, row, countFromJson(*found, path, row));
         } else {
             setParameter(object, row, valueFromJson(*found, path, row));

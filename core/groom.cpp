@@ -61,7 +61,7 @@ void paintFirst(const Skin& skin, Groom& groom) {
         const vec3 comb = segments.empty()
                               ? kDownAndBack
                               : combNear(segments, vertex.segment, vertex.position, size);
-        FurVertex fur{};
+        FurVertex fur = kBareFur;
         fur.direction = laidOnSkin(comb, vertex.normal);
         fur.furLength = firstLength(skin);
         fur.density = 1.0f;
@@ -75,7 +75,7 @@ float firstLength(const Skin& skin) { return 0.04f * skin.size(); }
 
 Groom initialGroom(const Skin& skin) {
     const std::size_t count = skin.vertices.size();
-    Groom groom{Chunked<FurVertex>(count, FurVertex{}), Chunked<float>(count, 0.0f)};
+    Groom groom{Chunked<FurVertex>(count, kBareFur), Chunked<float>(count, 0.0f)};
     const SourceFur* carried = skin.source->fur.get();
     const bool complete = carried && !carried->length.empty() && !carried->density.empty() &&
                           !carried->direction.empty();

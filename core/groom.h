@@ -17,6 +17,9 @@ struct Groom {
 // The channels a brush, a flood or an overlay can name.
 enum class Channel { length, density, direction, mask };
 
+// What a vertex holds before anything is painted: no hair, as dark as its coat.
+inline constexpr FurVertex kBareFur{vec3(0.0f), 0.0f, vec3(1.0f), 0.0f};
+
 // Length of hair that nobody has painted, m: 4 % of the bounds' diagonal.
 float firstLength(const Skin& skin);
 

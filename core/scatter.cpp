@@ -125,13 +125,12 @@ std::vector<uint> alongCurve(std::span<const Root> roots, const Cluster& cluster
 // along a curve through their places, and taken in the order of the numbers' reversed bits (van der
 // Corput, 1935). Ranks are evenly spaced, so that sums over ranks are exact within a cluster, and
 // start at a random phase, so that they are unbiased over clusters however few hairs each holds.
-void orderByRank(std::span<Root> roots, const Cluster& cluster, const Skin& skin, uint seed) {
+void orderByRank(std::span<Root> roots, Cluster& cluster, const Skin& skin, uint seed) {
     if (roots.empty()) return;
     const std::vector<uint> curve = alongCurve(roots, cluster, skin);
     const std::vector<Root> before(roots.begin(), roots.end());
     const uint stream = pcg(roots.front().triangle ^ pcg(seed ^ kRankStream));
-    const float phase = rand01(stream);
-    const float step = 1.0f / static_cast<float>(roots.size());
+    cluster.phase = rand01(stream);
     const uint bits = static_cast<uint>(std::bit_width(roots.size()));
     const uint start = pcg(stream + 1u) >> (32u - bits);
     uint rank = 0;
@@ -139,12 +138,14 @@ void orderByRank(std::span<Root> roots, const Cluster& cluster, const Skin& skin
         const uint i = reversedBits(j ^ start) >> (32u - bits);
         if (i >= roots.size()) continue;
         roots[rank] = before[curve[i]];
-        roots[rank].rank = std::min((static_cast<float>(rank) + phase) * step, 0.99999994f);
+        roots[rank].guide = cluster.first + rank;
         ++rank;
     }
 }
 
 }  // namespace
+
+float Cluster::rank(uint i) const { return rankOf(i, phase, 1.0f / static_cast<float>(count)); }
 
 Roots scatterRoots(const Skin& skin, uint hairs, uint seed) {
     Roots result;
@@ -176,7 +177,7 @@ Roots scatterRoots(const Skin& skin, uint hairs, uint seed) {
             const uint t = order[i];
             for (uint k = 0; k < counts[t]; ++k) {
                 const uint id = hairId(t, k, seed);
-                *next++ = Root{t, packBary(id), id, 0.0f};
+                *next++ = Root{t, packBary(id), id, 0u};
             }
         }
         bound(cluster, skin, std::span(order).subspan(runs[r].first, runs[r].end - runs[r].first));

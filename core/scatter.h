@@ -13,6 +13,10 @@ struct Cluster {
     uint first = 0, count = 0;  // into Roots::roots
     vec3 center{0.0f};          // of the roots' triangles, world, rest pose
     float radius = 0.0f;        // m, without the hair
+    float phase = 0.0f;         // [0,1) of the ranks, see rankOf
+
+    // Rank of the i-th root of the cluster.
+    float rank(uint i) const;
 };
 
 // Roots in clusters; inside a cluster in the order of their rank, so that any prefix is a fair

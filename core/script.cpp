@@ -178,6 +178,7 @@ void runText(Workspace& workspace, const std::string& path, std::string_view tex
 template <class Object>
 std::string valueText(const Object& object, const Parameter& row) {
     if (row.kind == ParameterKind::count) return std::to_string(parameterCount(object, row));
+    if (row.kind == ParameterKind::choice) return row.choices[parameterCount(object, row)];
     const vec3 value = parameterValue(object, row);
     std::string text = floatText(value[0]);
     for (int i = 1; i < row.components(); ++i) text += ',' + floatText(value[i]);

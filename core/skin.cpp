@@ -12,6 +12,7 @@
 
 #include "half_edges.h"
 #include "morton.h"
+#include "outward.h"
 #include "strand.h"
 
 namespace pelage {
@@ -212,6 +213,9 @@ std::shared_ptr<const Skin> makeSkin(Source source, Progress* progress) {
     skin->report.nonManifoldEdges = topology.nonManifoldEdges;
     skin->report.flippedEdges = topology.flippedEdges;
     skin->report.boundaryEdges = topology.boundaryEdges;
+    const bool closed =
+        topology.nonManifoldEdges + topology.flippedEdges + topology.boundaryEdges == 0;
+    skin->outward = closed && facesOutward(skin->vertices, skin->triangles);
     step(1.0f);
     return skin;
 }

@@ -14,16 +14,27 @@ vec3 anyTangent(vec3 n);
 vec3 baryWeights(uint bary);
 vec3 randomInBall(uint id);
 float arcOfUnitCurve(float m);
+float arcOfHelix(float radius, float turns);
+float rankOf(uint i, float phase, float step);
+float spaceNoise(vec3 p);
+vec3 pullAt(Fur fur, vec3 place, float seconds);
 
-Strand bendStrand(vec3 root, vec3 n, vec3 painted, float spineLength, Coat coat, uint id,
-                  vec3 gravityDirection, float gravity);
+Strand bendStrand(vec3 root, vec3 n, vec3 painted, float spineLength, Coat coat, uint id, vec3 pull);
 Strand growStrand(Root root, SkinVertex a, SkinVertex b, SkinVertex c, FurVertex fa, FurVertex fb,
-                  FurVertex fc, Fur fur, float autoWidth);
+                  FurVertex fc, Fur fur, float autoWidth, float seconds);
+Strand gatherStrand(Strand s, Strand guide, Coat coat);
+bool isShaped(Strand s);
+bool isShapedCoat(Coat coat);
 vec2 strandWeights(float t);
 vec3 strandPoint(Strand s, float t);
+vec3 spinePoint(Strand s, float t);
 vec3 strandTangent(Strand s, float t);
 vec3 strandNormal(Strand s, vec3 tangent);
 float strandWidth(Strand s, float taper, float t);
+vec3 tubeNormal(Strand s, vec3 tangent, uint k, uint sides);
+float tubeScale(uint sides);
+float chordError(Strand s, float segments);
+uint segmentsFor(Strand s, float tolerance);
 
 float sineBetween(vec3 t, vec3 l);
 float widthAbove(float taper, float t);

@@ -1,7 +1,7 @@
 // strand_source.h -- the shared source of hairs as C++, to be included inside a namespace.
 // NOLINTBEGIN: the dialect is GLSL's.
-using glm::abs, glm::acos, glm::clamp, glm::cos, glm::cross, glm::dot, glm::exp,
-    glm::floatBitsToUint, glm::isinf, glm::isnan, glm::length, glm::log, glm::max, glm::min,
+using glm::abs, glm::acos, glm::ceil, glm::clamp, glm::cos, glm::cross, glm::dot, glm::exp,
+    glm::floatBitsToUint, glm::floor, glm::isinf, glm::isnan, glm::length, glm::log, glm::max, glm::min,
     glm::mix, glm::normalize, glm::pow, glm::sin, glm::sqrt;
 
 #include "shaders/strand.glsl"

@@ -15,7 +15,9 @@ struct Curves {
     std::vector<uint> root;        // index into Roots::roots, one per hair
 };
 
-// Every hair that grows at level of detail 1, as a polyline; on all cores. segments in [1, 64].
-Curves growCurves(const Document& document, const Roots& roots, uint segments);
+// Every hair that grows at level of detail 1, as a polyline, whatever the style of its coat; on all
+// cores. segments in [1, 64]. The wind blows as it does after so many seconds.
+Curves growCurves(const Document& document, const Roots& roots, uint segments,
+                  float seconds = 0.0f);
 
 }  // namespace pelage

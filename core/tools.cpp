@@ -82,6 +82,7 @@ FurVertex smoothed(const Skin& skin, const FurVertex& old, uint v, const FurVert
     FurVertex fur = old;
     fur.furLength = std::clamp(old.furLength + change.furLength, 0.0f, kGreatestLength);
     fur.density = std::clamp(old.density + share * (around.density - old.density), 0.0f, 1.0f);
+    fur.tint = glm::clamp(old.tint + share * (around.tint - old.tint), vec3(0.0f), vec3(1.0f));
     if (change.direction != vec3(0.0f)) fur.direction = shortened(old.direction + change.direction);
     return fur;
 }
@@ -133,6 +134,7 @@ FurVertex brushedFur(const Skin& skin, const Groom& before, const Brush& brush, 
         fur.furLength = glm::mix(fur.furLength, old.furLength, held);
         fur.density = glm::mix(fur.density, old.density, held);
         fur.direction = glm::mix(fur.direction, old.direction, held);
+        fur.tint = glm::mix(fur.tint, old.tint, held);
     }
     // A singular frame or a field from a hostile file may have no finite answer.
     return finite(fur) ? fur : old;

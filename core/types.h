@@ -12,7 +12,8 @@ using uint = std::uint32_t;
 #include "shaders/types.glsl"
 
 inline bool operator==(const FurVertex& a, const FurVertex& b) {
-    return a.direction == b.direction && a.furLength == b.furLength && a.density == b.density;
+    return a.direction == b.direction && a.furLength == b.furLength && a.density == b.density &&
+           a.tint == b.tint;
 }
 
 }  // namespace pelage

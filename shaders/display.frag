@@ -1,6 +1,7 @@
 // display.frag -- the mean of the samples, from linear light to sRGB.
 layout(binding = 0) uniform sampler2D sum;
 layout(location = 0) uniform float weight;  // 1 / number of samples
+layout(location = 1) uniform vec2 pixel;  // 1 / pixels of the picture; a sample may have fewer
 out vec4 color;
 
 // IEC 61966-2-1.
@@ -11,5 +12,5 @@ vec3 encodeSrgb(vec3 c) {
 }
 
 void main() {
-    color = vec4(encodeSrgb(weight * texelFetch(sum, ivec2(gl_FragCoord.xy), 0).rgb), 1.0);
+    color = vec4(encodeSrgb(weight * textureLod(sum, gl_FragCoord.xy * pixel, 0.0).rgb), 1.0);
 }

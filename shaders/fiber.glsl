@@ -47,14 +47,18 @@ vec3 skyLight(Light light, vec3 n) {
     return mix(light.ground, light.sky, 0.5f + 0.5f * n.y);
 }
 
-// Radiance towards toEye (unit) at t of a hair; base is the color of the skin at the root, depth the
-// optical depth of the coat above (depthInCoat). Kajiya and Kay, "Rendering fur with three
-// dimensional textures", 1989, for diffuse and specular; half of the diffuse term and the strength
-// of the highlight use the shading normal of Van Gelder and Wilhelms 1997, 3.7, so that each hair
-// catches the light differently.
-vec3 fiberRadiance(Strand s, Coat coat, Light light, vec3 base, float t, vec3 toEye, float depth) {
-    vec3 tangent = strandTangent(s, t);
-    vec3 shading = strandNormal(s, tangent);
+struct FiberLight {  // what is the same around a hair, whatever normal it is shaded by
+    vec3 ambient;    // radiance
+    float sine;      // of the angle between hair and light
+    vec3 diffuse;    // radiance where fully lit
+    vec3 specular;   // radiance where the normal faces halfway
+    vec3 halfway;    // unit, between light and eye
+};
+
+// The light at t of a hair that runs along the unit `tangent` there; base is the color of the skin at
+// the root, depth the optical depth of the coat above (depthInCoat).
+FiberLight fiberLight(Strand s, Coat coat, Light light, vec3 base, float t, vec3 tangent,
+                      vec3 toEye, float depth) {
     float sinL = sineBetween(tangent, light.toKey);
     float sinV = sineBetween(tangent, toEye);
     float cosL = dot(tangent, light.toKey);
@@ -63,14 +67,30 @@ vec3 fiberRadiance(Strand s, Coat coat, Light light, vec3 base, float t, vec3 to
     // The body stands between the key light and hairs on its far side.
     float lit = min(max(2.5f * dot(s.normal, light.toKey) + 0.5f, 0.0f), 1.0f);
     float key = light.key * lit * keyThroughCoat(depth, s.normal, tangent, light.toKey);
-    float diffuse = 0.5f * (sinL + max(0.0f, dot(shading, light.toKey)));
-    float facing = max(0.0f, dot(shading, safeUnit(light.toKey + toEye, shading)));
-    float specular = facing * pow(max(0.0f, sinL * sinV - cosL * cosV), coat.shininess);
-
     vec3 color = s.tone * base * mix(coat.rootColor, coat.tipColor, t);
-    vec3 ambient = skyThroughCoat(depth) * skyLight(light, s.normal);
-    return color * (coat.ambient * ambient + (key * diffuse) * coat.diffuse) +
-           (key * specular) * coat.specular;
+    FiberLight f;
+    f.ambient = color * coat.ambient * (skyThroughCoat(depth) * skyLight(light, s.normal));
+    f.sine = sinL;
+    f.diffuse = key * color * coat.diffuse;
+    f.specular = key * pow(max(0.0f, sinL * sinV - cosL * cosV), coat.shininess) * coat.specular;
+    f.halfway = safeUnit(light.toKey + toEye, toEye);
+    return f;
+}
+
+// Radiance towards the eye of a hair, or of a side of it, that is shaded by this unit normal. Kajiya
+// and Kay, "Rendering fur with three dimensional textures", 1989, for diffuse and specular; half of
+// the diffuse term and the strength of the highlight use the shading normal of Van Gelder and
+// Wilhelms 1997, 3.7, so that each hair catches the light differently.
+vec3 radianceOf(FiberLight f, vec3 shading, vec3 toKey) {
+    float diffuse = 0.5f * (f.sine + max(0.0f, dot(shading, toKey)));
+    return f.ambient + diffuse * f.diffuse + max(0.0f, dot(shading, f.halfway)) * f.specular;
+}
+
+// Radiance towards toEye (unit) at t of a hair shaded by its own normal (strandNormal).
+vec3 fiberRadiance(Strand s, Coat coat, Light light, vec3 base, float t, vec3 toEye, float depth) {
+    vec3 tangent = strandTangent(s, t);
+    FiberLight f = fiberLight(s, coat, light, base, t, tangent, toEye, depth);
+    return radianceOf(f, strandNormal(s, tangent), light.toKey);
 }
 
 // Radiance of the skin between the hairs, under the entire coat. Where the coat is dense the short

@@ -4,12 +4,14 @@
 in vec2 uv;
 in vec3 shade;
 in float field;
-layout(location = 0) uniform uint material;  // of the part that is drawn
+flat in float layer;  // of the base-color textures, -1 = none
 out vec4 color;
 
 void main() {
-    vec3 base = frame.overlay != 0u && frame.overlay != 3u
-                    ? heat(field)
-                    : materialColor(material, uv);
+    vec3 base = vec3(1.0);
+    if (frame.overlay != 0u && frame.overlay != 3u)
+        base = heat(field);
+    else if (layer >= 0.0)
+        base = textureLod(baseColors, vec3(uv, layer), 0.0).rgb;
     color = vec4(base * shade, 1.0);
 }

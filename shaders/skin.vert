@@ -8,6 +8,8 @@ layout(std430, binding = 6) readonly buffer Mask { float mask[]; };
 out vec2 uv;
 out vec3 shade;    // color of the vertex times the light that reaches it through the coat
 out float field;   // value of the overlay
+flat out float layer;
+layout(location = 0) uniform uint material;  // of the part that is drawn
 
 void main() {
     Corner corner = corners[gl_VertexID];
@@ -20,7 +22,11 @@ void main() {
                       ? 0.0
                       : depthInCoat(fur, frame.hairsPerArea * f.density, f.furLength,
                                     frame.overWidth, frame.underWidth, 0u, 0.0);
-    shade = skinRadiance(frame.light, fur.under, unpackUnorm4x8(corner.color).rgb, n, depth);
+    Material m = materials[material];
+    layer = m.layer;
+    bool heated = frame.overlay != 0u && frame.overlay != 3u;
+    vec3 color = heated ? vec3(1.0) : m.color * unpackUnorm4x8(corner.color).rgb;
+    shade = skinRadiance(frame.light, fur.under, color, n, depth);
     field = frame.overlay == 1u   ? f.furLength
             : frame.overlay == 2u ? f.density
             : frame.overlay == 3u ? length(f.direction)

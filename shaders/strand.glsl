@@ -26,6 +26,8 @@ const uint kDrawCoat = 2u;     // overcoat or undercoat
 const uint kDrawBall = 3u;     // 3, 4 and 5, 8 and 9: displacement of the tip
 const uint kDrawTwist = 6u;    // turn of the shading normal
 const uint kDrawTone = 7u;     // brightness
+const uint kDrawCurl = 10u;    // where the curl begins
+const uint kDrawFrizz = 16u;   // 16 to 33 and 40 to 57: knots of the frizz
 
 // Below 2^125, so that 1/x is no denormal, which GPUs may take for 0. A test of the bits, because
 // GLSL compilers may assume that no value is NaN and turn comparisons around.
@@ -80,6 +82,22 @@ float arcOfUnitCurve(float m) {
     return s * m + 1.0000026f;
 }
 
+// By how much a helix around a straight hair is longer than the hair: its radius grows from 0 at the
+// root to `radius` (share of the length) at the tip, in so many turns.
+float arcOfHelix(float radius, float turns) {
+    float a = 1.0f + radius * radius;
+    float b = 39.478418f * turns * turns * radius * radius;
+    if (b < 1e-4f) return sqrt(a) * (1.0f + b / (6.0f * a));
+    float x = sqrt(b / a);
+    return 0.5f * sqrt(a + b) + 0.5f * a / sqrt(b) * log(x + sqrt(1.0f + x * x));
+}
+
+// Rank of hair i of a cluster, in [0,1); the hair is drawn while rank < density * level of detail.
+// Ranks are evenly spaced, step = 1 / hairs of the cluster, from a random phase in [0,1).
+float rankOf(uint i, float phase, float step) {
+    return min((float(i) + phase) * step, 0.99999994f);
+}
+
 bool isOvercoat(uint id, float share) { return rand01(id + kDrawCoat) < share; }
 
 // The direction in which a hair leaves the skin: between the normal and the painted direction,
@@ -92,20 +110,55 @@ vec3 weightlessDirection(vec3 n, vec3 painted, Coat coat, uint id) {
     return c < 0.0f ? safeUnit(w - (2.0f * c) * n, n) : w;
 }
 
+// Smooth noise in [-1,1] through space: random values on a grid of whole numbers, mixed.
+float spaceNoise(vec3 p) {
+    vec3 cell = floor(p);
+    vec3 f = p - cell;
+    vec3 u = f * f * (3.0f - 2.0f * f);
+    float sum = 0.0f;
+    for (uint i = 0u; i < 8u; ++i) {
+        vec3 corner = vec3(float(i & 1u), float(i >> 1u & 1u), float(i >> 2u));
+        vec3 weight = 1.0f - abs(corner - u);
+        vec3 at = cell + corner;
+        uint hash = pcg(uint(int(at.x)) ^ pcg(uint(int(at.y)) ^ pcg(uint(int(at.z)))));
+        sum += weight.x * weight.y * weight.z * (2.0f * rand01(hash) - 1.0f);
+    }
+    return sum;
+}
+
+// What pulls at hair: gravity and wind together, at most as hard as gravity of strength 1. Gusts
+// are noise that travels with the wind.
+vec3 pullAt(Fur fur, vec3 place, float seconds) {
+    vec3 pull = min(max(fur.gravity, 0.0f), 1.0f) * fur.gravityDirection;
+    if (fur.wind > 0.0f) {
+        float strength = min(fur.wind, 1.0f);
+        if (fur.gusts > 0.0f) {
+            vec3 p = place * (1.0f / max(fur.gustSize, 1e-6f)) -
+                     (fur.gustRate * seconds) * fur.windDirection;
+            if (dot(p, p) < 1e12f) strength = strength * (1.0f + min(fur.gusts, 1.0f) * spaceNoise(p));
+        }
+        pull = pull + strength * fur.windDirection;
+    }
+    float size = dot(pull, pull);
+    return size > 1.0f ? pull * (1.0f / sqrt(size)) : pull;
+}
+
 // A hair that starts at `root` on a skin with unit normal n. `painted` in the world; spineLength
 // is the length of this hair along the curve. Gravity is that of the paper, section 3.5:
 // floppiness times the cosine of the hair's angle to the normal, taken off along "up"; a small pull
-// towards the combed side decides where a hair falls that stands upright.
+// towards the combed side decides where a hair falls that stands upright. Wind adds to gravity:
+// `pull` is the sum of both, of length [0,1]; a hair is never pulled below the skin's plane.
 Strand bendStrand(vec3 root, vec3 n, vec3 painted, float spineLength, Coat coat, uint id,
-                  vec3 gravityDirection, float gravity) {
+                  vec3 pull) {
     vec3 w = weightlessDirection(n, painted, coat, id);
     float c = max(0.0f, dot(w, n));
     float floppiness = min(max(1.0f - coat.stiffness, 0.02f), 1.0f);
-    float load = floppiness * min(max(gravity, 0.0f), 1.0f) * c;
+    float load = floppiness * c;
 
     vec3 across = finite3(painted) ? painted - dot(painted, n) * n : vec3(0.0f, 0.0f, 0.0f);
     vec3 tangent = dot(across, across) > 1e-6f ? safeUnit(across, anyTangent(n)) : anyTangent(n);
-    vec3 end = safeUnit(w + load * gravityDirection + (0.02f * load) * tangent, tangent);
+    vec3 end = safeUnit(w + load * (pull + (0.02f * sqrt(dot(pull, pull))) * tangent), tangent);
+    if (coat.style == kStyleLine) w = end;
     float m = max(0.0f, 1.0f - dot(w, end));
 
     Strand s;
@@ -125,17 +178,43 @@ Strand bendStrand(vec3 root, vec3 n, vec3 painted, float spineLength, Coat coat,
     s.width = 0.0f;
     s.coat = 0u;
     s.keep = 0.0f;
-    s.pad0 = 0.0f;
+    s.id = id;
+    s.style = coat.style;
+    s.guideOffset = vec3(0.0f, 0.0f, 0.0f);
+    s.guideWeightless = s.guideOffset;
+    s.guideEnd = s.guideOffset;
+    s.clump = 0.0f;
+    s.clumpShape = coat.clumpShape;
+    s.curl = 0.0f;
+    s.curlTurns = coat.curlTurns;
+    s.frizz = coat.frizz * spineLength;
+    s.frizzWaves = coat.frizzWaves;
+    if (coat.curlRadius > 0.0f) {
+        float longer = arcOfHelix(coat.curlRadius, coat.curlTurns);
+        s.scale = s.scale / longer;
+        s.curl = coat.curlRadius * spineLength / longer;
+    }
+    return s;
+}
+
+// The hair gathered to its guide: at the tip by the coat's share, towards the root less.
+Strand gatherStrand(Strand s, Strand guide, Coat coat) {
+    if (!(guide.spineLength > 0.0f)) return s;
+    s.clump = coat.clump;
+    s.guideOffset = guide.origin - s.origin;
+    s.guideWeightless = guide.scale * guide.weightless;
+    s.guideEnd = guide.scale * guide.end;
     return s;
 }
 
 // A length that a hair may have; 0 for none, also for NaN.
 float sanitizedLength(float asked) { return asked > 1e-12f && asked <= 1e6f ? asked : 0.0f; }
 
-// The hair that grows from a root on a triangle with these corners. Corners, painted values and
-// gravity in the world; autoWidth (m) is used where the coat leaves its width at 0.
+// The hair that grows from a root on a triangle with these corners, not yet gathered to its guide.
+// Corners, painted values and gravity in the world; autoWidth (m) is used where the coat leaves its
+// width at 0; the wind blows as it does after so many seconds.
 Strand growStrand(Root root, SkinVertex a, SkinVertex b, SkinVertex c, FurVertex fa, FurVertex fb,
-                  FurVertex fc, Fur fur, float autoWidth) {
+                  FurVertex fc, Fur fur, float autoWidth, float seconds) {
     vec3 k = baryWeights(root.bary);
     vec3 position = k.x * a.position + k.y * b.position + k.z * c.position;
     vec3 faceNormal = safeUnit(cross(b.position - a.position, c.position - a.position),
@@ -150,38 +229,132 @@ Strand growStrand(Root root, SkinVertex a, SkinVertex b, SkinVertex c, FurVertex
     Coat coat = fur.under;
     if (over) coat = fur.over;
     float own = sanitizedLength(sanitizedLength(asked) * coat.relativeLength);
-    Strand s = bendStrand(position, n, painted, own, coat, root.id, fur.gravityDirection,
-                          fur.gravity);
+    Strand s = bendStrand(position, n, painted, own, coat, root.id, pullAt(fur, position, seconds));
     s.width = coat.width > 0.0f ? coat.width : autoWidth;
     s.coat = over ? 0u : 1u;
     s.keep = painted01 > 0.0f ? min(painted01, 1.0f) : 0.0f;
     return s;
 }
 
-// Weights of the weightless direction and of the end in the point at t: point(t) = origin +
-// scale * (x * weightless + y * end). Linear in the two, so that they may be transformed once for
-// all points of a hair.
+// Weights of the weightless direction and of the end in the point of the spine at t: origin + scale *
+// (x * weightless + y * end). Linear in the two, so that they may be transformed once for all
+// points of a hair.
 vec2 strandWeights(float t) { return vec2(t * (1.0f - t), t * t); }
 
-// Point of the hair at t in [0,1], root to tip; world.
-vec3 strandPoint(Strand s, float t) {
-    vec2 k = strandWeights(t);
-    return s.origin + s.scale * (k.x * s.weightless + k.y * s.end);
+// True where hair of the coat may be more than its spine.
+bool isShapedCoat(Coat coat) {
+    return coat.clump > 0.0f || coat.curlRadius > 0.0f || coat.frizz > 0.0f;
 }
 
-// Unit direction of the hair at t, towards the tip. The curve's derivative is never shorter than
-// 0.7, so there is nothing to guard.
-vec3 strandTangent(Strand s, float t) {
+// True where the hair is more than its spine: gathered, curled or frizzy.
+bool isShaped(Strand s) { return s.clump > 0.0f || s.curl > 0.0f || s.frizz > 0.0f; }
+
+// Unit direction of the spine at t, towards the tip. The curve's derivative is never shorter than
+// 0.7 scale, so there is nothing to guard.
+vec3 spineTangent(Strand s, float t) {
     vec3 d = (1.0f - 2.0f * t) * s.weightless + (2.0f * t) * s.end;
     return d * (1.0f / sqrt(dot(d, d)));
 }
 
-// The paper's shading normal where the hair runs along the unit `tangent`: perpendicular to it in
-// the plane in which the hair bends, on the convex side, then turned about the hair by its twist.
+// Smooth noise in [-1,1] along a hair, of a random value at every whole number.
+float frizzNoise(uint stream, float x) {
+    float knot = floor(x);
+    float f = x - knot;
+    uint k = uint(knot);
+    return mix(2.0f * rand01(stream + k) - 1.0f, 2.0f * rand01(stream + k + 1u) - 1.0f,
+               f * f * (3.0f - 2.0f * f));
+}
+
+// The point at t from the root: the spine, then clump, curl and frizz in this order, all of them 0
+// at the root, and what dips below the skin's plane lifted onto it.
+vec3 shapedOffset(Strand s, float t) {
+    vec2 k = strandWeights(t);
+    vec3 p = s.scale * (k.x * s.weightless + k.y * s.end);
+    if (s.clump > 0.0f) {
+        vec3 guide = s.guideOffset + k.x * s.guideWeightless + k.y * s.guideEnd;
+        p = mix(p, guide, s.clump * pow(t, s.clumpShape));
+    }
+    if (s.curl > 0.0f || s.frizz > 0.0f) {
+        vec3 n = cross(s.binormal, spineTangent(s, t));
+        float turn = 6.2831853f * (s.curlTurns * t + rand01(s.id + kDrawCurl));
+        float x = s.curl * cos(turn);
+        float y = s.curl * sin(turn);
+        if (s.frizz > 0.0f) {
+            x += s.frizz * frizzNoise(s.id + kDrawFrizz, s.frizzWaves * t);
+            y += s.frizz * frizzNoise(s.id + kDrawFrizz + 24u, s.frizzWaves * t);
+        }
+        p = p + t * (x * n + y * s.binormal);
+    }
+    return p - min(0.0f, dot(p, s.normal)) * s.normal;
+}
+
+// Point of the spine at t in [0,1], root to tip; world.
+vec3 spinePoint(Strand s, float t) {
+    vec2 k = strandWeights(t);
+    return s.origin + s.scale * (k.x * s.weightless + k.y * s.end);
+}
+
+// Point of the hair at t; world.
+vec3 strandPoint(Strand s, float t) {
+    if (isShaped(s)) return s.origin + shapedOffset(s, t);
+    return spinePoint(s, t);
+}
+
+// Unit direction of the hair at t, towards the tip.
+vec3 strandTangent(Strand s, float t) {
+    vec3 along = spineTangent(s, t);
+    if (!isShaped(s)) return along;
+    return safeUnit(shapedOffset(s, min(t + 0.01f, 1.0f)) - shapedOffset(s, max(t - 0.01f, 0.0f)),
+                    along);
+}
+
+// Corner k of a tube's ring at t: a unit vector from the hair's axis, in the plane across the unit
+// `tangent`. As a NURBS surface the tube is the spine's Bezier curve swept by this ring.
+vec3 tubeNormal(Strand s, vec3 tangent, uint k, uint sides) {
+    vec3 n = safeUnit(cross(s.binormal, tangent), s.normal);
+    float turn = 6.2831853f * float(k) / float(sides);
+    return cos(turn) * n + sin(turn) * cross(tangent, n);
+}
+
+// Radius of the corners of a ring of so many sides, in radii of the round hair: a polygon is seen
+// as wide on average as the circle of its perimeter.
+float tubeScale(uint sides) {
+    float x = 3.1415927f / float(sides);
+    return x / sin(x);
+}
+
+// Sides that keep a ring of a hair so many pixels wide within a quarter of a pixel of round.
+uint sidesFor(float pixels) {
+    if (!(pixels > 1.0f)) return 3u;
+    return pixels > 6.0f ? 8u : (pixels > 3.0f ? 6u : 4u);
+}
+
+// The paper's shading normal where the hair runs along the unit `tangent`. Polylines and ribbons:
+// perpendicular to it in the plane in which the hair bends, on the convex side, then turned about
+// the hair by its twist. Lines and curves: that of the skin.
 vec3 strandNormal(Strand s, vec3 tangent) {
+    if (s.style == kStyleLine || s.style == kStyleCurve) return s.normal;
     vec3 upright = safeUnit(cross(s.binormal, tangent), s.normal);
     return s.cosTwist * upright + s.sinTwist * cross(tangent, upright);
 }
 
 // Diameter at t, m. taper is the share lost at the tip.
 float strandWidth(Strand s, float taper, float t) { return s.width * (1.0f - taper * t); }
+
+// How far the chords of a spine drawn with so many segments stray from it at most, m: N chords of a
+// parabola miss it by |second derivative| / (8 N^2).
+float chordError(Strand s, float segments) {
+    vec3 bend = s.end - s.weightless;
+    return s.scale * sqrt(dot(bend, bend)) / (4.0f * segments * segments);
+}
+
+// Segments that keep the chord of a hair within `tolerance` (m), in [1,32]: as chordError, and at
+// least six for each turn of a curl and two for each wave of frizz.
+uint segmentsFor(Strand s, float tolerance) {
+    vec3 bend = s.end - s.weightless;
+    float asked = sqrt(s.scale * sqrt(dot(bend, bend)) / (4.0f * max(tolerance, 1e-30f)));
+    if (s.clump > 0.0f) asked = max(asked, 6.0f);
+    if (s.curl > tolerance) asked = max(asked, 8.0f * s.curlTurns);
+    if (s.frizz > tolerance) asked = max(asked, 2.0f * s.frizzWaves);
+    return uint(min(max(ceil(asked), 1.0f), 32.0f));
+}

@@ -5,36 +5,64 @@
 // pixel is written once, nothing per hair is kept between the passes, and 64-bit atomics are not
 // needed. A pixel belongs to a hair when its center lies inside the hair's outline: averaged over
 // sub-pixel offsets this is the exact coverage, also of hairs far thinner than a pixel.
+//
+// There is one program for each STYLE (kStyle... of types.glsl) with and without SHAPED hair (clumps,
+// curls, frizz), so that what a coat does not use costs nothing.
 #include "frame.glsl"
 #include "strand.glsl"
 #include "fiber.glsl"
 #include "depth_key.glsl"
 
+#ifndef STYLE
+#define STYLE 1
+#endif
+
 layout(local_size_x = 32) in;
 
-struct Job {     // a prefix of a cluster of roots, at most 32 of them
-    uint first;
-    uint count;
+struct Run {     // a prefix of a cluster of roots
+    uint first;  // into the roots
+    uint begin;  // number of its first hair in the dispatch
+    uint end;    // and of the first one after it
     float lod;   // share of the hairs that is drawn
     float fade;  // rank at which a hair of density 1 has faded out, >= lod
-    uint seen;   // bit i: the first pass found that hair i is not hidden
+    float phase; // of the cluster's ranks
+    float step;
     uint pad0;
-    uint pad1;
-    uint pad2;
+};
+
+struct Group {  // of 32 hairs
+    uint run;   // of the first one
+    uint seen;  // bit i: the first pass found that hair i is not hidden
 };
 
 layout(std430, binding = 7) readonly buffer RootsBuffer { Root roots[]; };
 layout(std430, binding = 8) coherent buffer Keys { uint keys[]; };
-layout(std430, binding = 9) buffer Jobs { Job jobs[]; };
+layout(std430, binding = 9) readonly buffer Runs { Run runs[]; };
 layout(std430, binding = 10) buffer Counters { uint drawn; };
+layout(std430, binding = 12) buffer Groups { Group groups[]; };
 layout(binding = 1) uniform sampler2D skinDepth;
+layout(location = 0) uniform uint coatsHere;  // as frame.coats, of this program
 #ifndef DEPTH_PASS
 layout(std430, binding = 6) readonly buffer Mask { float mask[]; };
 layout(rgba16f, binding = 0) writeonly uniform image2D picture;
 #endif
 
+#if STYLE == 0 && !defined(SHAPED)
+const uint kMostSegments = 1u;
+#elif STYLE == 1 && !defined(SHAPED)
 const uint kMostSegments = 16u;
+#else
+const uint kMostSegments = 32u;
+#endif
+#if STYLE == 4
+const uint kColumns = 9u;  // corners of a ring, the first one again at the end
+#elif STYLE == 2
+const uint kColumns = 3u;  // left edge, middle and right edge of a ribbon
+#else
+const uint kColumns = 2u;  // both edges
+#endif
 const float kWidestHalf = 24.0;  // pixels; a hair before the lens does not stall the frame
+const float kRoundFrom = 1.5;    // pixels; a narrower ribbon is flat
 
 // Share of its full width that a hair has at this level of detail: 1 up to a rank, then falling to
 // 0. The sum of all widths stays that of the full coat.
@@ -60,54 +88,149 @@ bool mayBeSeen(vec4 p) {
     return p.z >= 0.0 && p.z <= texelFetch(skinDepth, at, 0).r;
 }
 
+Strand grow(Root root, bool over) {
+    uvec4 t = triangles[root.triangle];
+    return growStrand(root, skinVertices[t.x], skinVertices[t.y], skinVertices[t.z],
+                      furVertices[t.x], furVertices[t.y], furVertices[t.z], fur,
+                      over ? frame.overWidth : frame.underWidth, frame.seconds);
+}
+
+#if STYLE == 2 || STYLE == 4
+// A hair across, at one point of it: its sides seen from the eye.
+struct Ring {
+    vec3 tangent;
+    vec3 right;   // unit, across hair and view
+    vec3 toward;  // unit, across the hair, towards the eye
+};
+
+Ring ringAt(Strand s, float t, vec3 eye) {
+    Ring ring;
+    ring.tangent = strandTangent(s, t);
+    ring.right = safeUnit(cross(ring.tangent, eye), s.binormal);
+    ring.toward = cross(ring.right, ring.tangent);
+    return ring;
+}
+#endif
+
+#if STYLE == 4
+// Place of a corner in half widths: to the right and towards the eye.
+vec2 cornerPlace(Strand s, Ring ring, uint k, uint sides) {
+    vec3 normal = tubeNormal(s, ring.tangent, k, sides);
+    return tubeScale(sides) * vec2(dot(normal, ring.right), dot(normal, ring.toward));
+}
+#endif
+
 #ifndef DEPTH_PASS
 vec3 colorAtRoot(Root root, vec3 weights, vec3 field) {
     if (frame.overlay != 0u && frame.overlay != 3u) return heat(dot(weights, field));
+    uvec4 t = triangles[root.triangle];
     vec2 uv = vec2(0.0);
-    vec3 tint = vec3(1.0);
+    vec3 tint = weights.x * furVertices[t.x].tint + weights.y * furVertices[t.y].tint +
+                weights.z * furVertices[t.z].tint;
     if (frame.textured != 0u) {
         Corner a = corners[sourceTriangles[3u * root.triangle]];
         Corner b = corners[sourceTriangles[3u * root.triangle + 1u]];
         Corner c = corners[sourceTriangles[3u * root.triangle + 2u]];
         uv = weights.x * a.uv + weights.y * b.uv + weights.z * c.uv;
-        tint = weights.x * unpackUnorm4x8(a.color).rgb + weights.y * unpackUnorm4x8(b.color).rgb +
-               weights.z * unpackUnorm4x8(c.color).rgb;
+        tint *= weights.x * unpackUnorm4x8(a.color).rgb + weights.y * unpackUnorm4x8(b.color).rgb +
+                weights.z * unpackUnorm4x8(c.color).rgb;
     }
-    return tint * materialColor(triangles[root.triangle].w, uv);
+    return tint * materialColor(t.w, uv);
+}
+
+struct Look {  // what the colors of one hair are made from
+    vec3 base;
+    vec3 eye;        // unit, towards it
+    float perArea;   // hairs of both coats, 1/m^2
+    float painted;   // m, length of the overcoat here
+    bool round;      // a ribbon wide enough to look round
+    uint sides;      // of a tube
+};
+
+// Radiance of a hair at t, column by column.
+void colorColumns(Strand s, bool over, Look look, float t, inout vec3 colors[kColumns]) {
+    float depth = depthInCoat(fur, look.perArea, look.painted, frame.overWidth, frame.underWidth,
+                              s.coat, t);
+#if STYLE == 2 || STYLE == 4
+    Ring ring = ringAt(s, t, look.eye);
+    vec3 tangent = ring.tangent;
+#else
+    vec3 tangent = strandTangent(s, t);
+#endif
+    FiberLight f;
+    if (over)
+        f = fiberLight(s, fur.over, frame.light, look.base, t, tangent, look.eye, depth);
+    else
+        f = fiberLight(s, fur.under, frame.light, look.base, t, tangent, look.eye, depth);
+#if STYLE == 4
+    for (uint k = 0u; k <= look.sides; ++k)
+        colors[k] = radianceOf(f, tubeNormal(s, tangent, k, look.sides), frame.light.toKey);
+#else
+    colors[0] = radianceOf(f, strandNormal(s, tangent), frame.light.toKey);
+    colors[1] = colors[0];
+#if STYLE == 2
+    colors[2] = colors[0];
+    if (look.round) {
+        for (uint k = 0u; k < 3u; ++k) {
+            vec3 normal = k == 1u ? ring.toward : (float(k) - 1.0) * ring.right;
+            normal = s.cosTwist * normal + s.sinTwist * cross(tangent, normal);
+            colors[k] = radianceOf(f, normal, frame.light.toKey);
+        }
+    }
+#endif
+#endif
 }
 #endif
 
 void main() {
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-    if (group >= frame.jobs) return;
-    Job job = jobs[group];
     uint lane = gl_LocalInvocationID.x;
-    if (lane >= job.count) return;
+    uint number = 32u * group + lane;
+    if (number >= frame.hairs) return;
 #ifndef DEPTH_PASS
-    if ((job.seen >> lane & 1u) == 0u) return;
+    if ((groups[group].seen >> lane & 1u) == 0u) return;
 #endif
-    Root root = roots[job.first + lane];
+    uint which = groups[group].run;
+    while (number >= runs[which].end) ++which;
+    Run run = runs[which];
+    uint index = run.first + number - run.begin;
+    Root root = roots[index];
 
     // What the painted density and the level of detail leave out is left before it is shaped.
     bool over = isOvercoat(root.id, fur.share);
-    if ((frame.coats & (over ? 1u : 2u)) == 0u) return;
+    if ((coatsHere & (over ? 1u : 2u)) == 0u) return;
     uvec4 t = triangles[root.triangle];
     vec3 weights = baryWeights(root.bary);
     vec3 density = vec3(furVertices[t.x].density, furVertices[t.y].density, furVertices[t.z].density);
     float keep = clamp(dot(weights, density), 0.0, 1.0);
-    if (!(root.rank < keep * job.fade)) return;
+    float rank = rankOf(number - run.begin, run.phase, run.step);
+    if (!(rank < keep * run.fade)) return;
 
-    Strand s = growStrand(root, skinVertices[t.x], skinVertices[t.y], skinVertices[t.z],
-                          furVertices[t.x], furVertices[t.y], furVertices[t.z], fur,
-                          over ? frame.overWidth : frame.underWidth);
+    Strand s = grow(root, over);
     if (!(s.spineLength > 0.0)) return;
-    s.width *= fadedWidth(root.rank / keep, job.lod, job.fade);
+    s.width *= fadedWidth(rank / keep, run.lod, run.fade);
     float taper = over ? fur.over.taper : fur.under.taper;
+#ifdef SHAPED
+    if ((over ? fur.over.clump : fur.under.clump) > 0.0 && root.guide != index) {
+        Strand guide = grow(roots[root.guide], over);
+        if (over)
+            s = gatherStrand(s, guide, fur.over);
+        else
+            s = gatherStrand(s, guide, fur.under);
+    }
+#endif
 
     // What lies behind the skin or outside the picture is left before it is rasterised.
-    uint segments = min(frame.segments, kMostSegments);
-    vec4 points[kMostSegments + 1u];
     vec4 origin = frame.viewProjection * vec4(s.origin, 1.0);
+#if STYLE >= 2 || defined(SHAPED)
+    uint segments = segmentsFor(s, frame.tolerance * max(origin.w, 1e-6) / frame.pixelsPerMetre);
+#else
+    uint segments = 1u;
+#endif
+#if STYLE == 1
+    segments = max(segments, min(frame.segments, kMostSegments));
+#endif
+    vec4 points[kMostSegments + 1u];
     vec4 weightless = frame.viewProjection * vec4(s.scale * s.weightless, 0.0);
     vec4 end = frame.viewProjection * vec4(s.scale * s.end, 0.0);
     float dt = 1.0 / float(segments);
@@ -116,45 +239,92 @@ void main() {
 #endif
     for (uint i = 0u; i <= segments; ++i) {
         float at = float(i) * dt;
+#ifdef SHAPED
+        vec4 clip = origin + frame.viewProjection * vec4(shapedOffset(s, at), 0.0);
+#else
         vec2 k = strandWeights(at);
-        points[i] = toWindow(origin + k.x * weightless + k.y * end, strandWidth(s, taper, at));
+        vec4 clip = origin + k.x * weightless + k.y * end;
+#endif
+        points[i] = toWindow(clip, strandWidth(s, taper, at));
 #ifdef DEPTH_PASS
         if (!seen) seen = mayBeSeen(points[i]);
 #endif
     }
 
+    vec3 eye = toEye(s.origin);
+    float left[kColumns];  // edges of the bands in half widths, at the ring before and at this one
+    float right[kColumns];
+    uint bands = 1u;
+    left[0] = right[0] = -1.0;
+    left[1] = right[1] = 1.0;
+#if STYLE == 2
+    bool isRound = points[0].w > kRoundFrom;
+#ifndef DEPTH_PASS
+    if (isRound) {
+        bands = 2u;
+        left[1] = right[1] = 0.0;
+        left[2] = right[2] = 1.0;
+    }
+#endif
+#elif STYLE == 4
+    bands = frame.sides > 0u ? clamp(frame.sides, 3u, 8u) : sidesFor(points[0].w);
+    vec4 nearer = frame.viewProjection * vec4(eye, 0.0);
+    float zPerMetre = 0.5 * (nearer.z * origin.w - origin.z * nearer.w) /
+                      max(origin.w * origin.w, 1e-12);
+    float nearA[kColumns];  // depth of the corners, in half widths towards the eye
+    float nearB[kColumns];
+    Ring ringB = ringAt(s, 0.0, eye);
+    for (uint k = 0u; k <= bands; ++k) {
+        vec2 place = cornerPlace(s, ringB, k, bands);
+        right[k] = place.x;
+        nearB[k] = place.y;
+    }
+#endif
+
 #ifdef DEPTH_PASS
     if (!seen) return;
     atomicAdd(drawn, 1u);
-    atomicOr(jobs[group].seen, 1u << lane);
+    atomicOr(groups[group].seen, 1u << lane);
 #else
     vec3 field = density;
     if (frame.overlay == 1u)
         field = vec3(furVertices[t.x].furLength, furVertices[t.y].furLength, furVertices[t.z].furLength);
     if (frame.overlay == 4u) field = vec3(mask[t.x], mask[t.y], mask[t.z]);
-    vec3 base = colorAtRoot(root, weights, field);
-    float perArea = frame.hairsPerArea * keep;
-    float painted = s.spineLength / max(over ? fur.over.relativeLength : fur.under.relativeLength, 1e-6);
-    vec3 eye = toEye(s.origin);
+    Look look;
+    look.base = colorAtRoot(root, weights, field);
+    look.eye = eye;
+    look.perArea = frame.hairsPerArea * keep;
+    look.painted = s.spineLength / max(over ? fur.over.relativeLength : fur.under.relativeLength, 1e-6);
+#if STYLE == 2
+    look.round = isRound;
+#else
+    look.round = false;
+#endif
+    look.sides = bands;
     // Color varies slowly along a hair: every second point is enough.
-    vec3 colors[kMostSegments / 2u + 2u];
-    for (uint i = 0u; i <= (segments + 1u) / 2u; ++i) {
-        float at = min(2.0 * float(i) * dt, 1.0);
-        float depth = depthInCoat(fur, perArea, painted, frame.overWidth, frame.underWidth, s.coat, at);
-        if (over)
-            colors[i] = fiberRadiance(s, fur.over, frame.light, base, at, eye, depth);
-        else
-            colors[i] = fiberRadiance(s, fur.under, frame.light, base, at, eye, depth);
-    }
+    vec3 lower[kColumns];
+    vec3 upper[kColumns];
+#if STYLE == 3
+    colorColumns(s, over, look, 0.5, lower);  // one color for the entire hair
+    upper = lower;
+#else
+    colorColumns(s, over, look, 0.0, upper);
+#endif
 #endif
 
     for (uint i = 0u; i < segments; ++i) {
 #ifndef DEPTH_PASS
-        uint pair = i / 2u;
-        bool whole = 2u * pair + 2u <= segments;  // the last pair of an odd number is half as long
-        float scale = whole ? 0.5 : 1.0;
-        vec3 colorA = mix(colors[pair], colors[pair + 1u], scale * float(i & 1u));
-        vec3 colorB = mix(colors[pair], colors[pair + 1u], scale * float(1u + (i & 1u)));
+        float fromA = 0.5 * float(i & 1u);
+        float toB = fromA + 0.5;
+#if STYLE == 3
+        toB = fromA;
+#else
+        if ((i & 1u) == 0u) {
+            lower = upper;
+            colorColumns(s, over, look, min(float(i + 2u) * dt, 1.0), upper);
+            if (i + 1u == segments) toB = 1.0;  // the last pair of an odd number is half as long
+        }
+#endif
 #endif
         // u runs along the axis in which the segment is longer: one step of a pixel at a time.
         vec4 a = points[i];
@@ -171,24 +341,67 @@ void main() {
         int sizeV = steep ? frame.size.x : frame.size.y;
         int first = max(int(ceil(max(min(u0, u1), -1.0) - 0.5)), 0);
         int last = min(int(ceil(min(max(u0, u1), 1e6) - 0.5)), sizeU);
-        for (int u = first; u < last; ++u) {
-            float f = (float(u) + 0.5 - u0) / lengthU;
-            float v = v0 + slope * (float(u) + 0.5 - u0);
-            float reach = min(stretch * mix(a.w, b.w, f), kWidestHalf);
-            float z = mix(a.z, b.z, f);
-            if (!(z >= 0.0 && z <= 1.0)) continue;
-            uint key = depthKey(z, root.id);
-            int from = max(int(ceil(v - reach - 0.5)), 0);
-            int to = min(int(ceil(v + reach - 0.5)), sizeV);
-            for (int w = from; w < to; ++w) {
-                ivec2 at = steep ? ivec2(w, u) : ivec2(u, w);
-                uint pixel = uint(at.y * frame.size.x + at.x);
-#ifdef DEPTH_PASS
-                atomicMin(keys[pixel], key);
-#else
-                if (keys[pixel] == key)
-                    imageStore(picture, at, vec4(mix(colorA, colorB, f), 1.0));
+#if STYLE == 2 || STYLE == 4
+        // The right of the hair lies towards growing v where it runs up, and against it where it runs
+        // to the right.
+        float side = (lengthU < 0.0) == steep ? -1.0 : 1.0;
 #endif
+#if STYLE == 4
+        ringB = ringAt(s, min(float(i + 1u) * dt, 1.0), eye);
+        for (uint k = 0u; k <= bands; ++k) {
+            left[k] = right[k];
+            nearA[k] = nearB[k];
+            vec2 place = cornerPlace(s, ringB, k, bands);
+            right[k] = place.x;
+            nearB[k] = place.y;
+        }
+#endif
+        for (uint band = 0u; band < bands; ++band) {
+#if STYLE == 4
+            // Corners run around the hair so that of a side that faces the eye the second lies to the
+            // right of the first.
+            if (left[band + 1u] - left[band] + right[band + 1u] - right[band] <= 0.0) continue;
+#endif
+            for (int u = first; u < last; ++u) {
+                float f = (float(u) + 0.5 - u0) / lengthU;
+                float v = v0 + slope * (float(u) + 0.5 - u0);
+                float half_ = min(stretch * mix(a.w, b.w, f), kWidestHalf);
+                float z = mix(a.z, b.z, f);
+#if STYLE == 2 || STYLE == 4
+                float e0 = side * mix(left[band], right[band], f);
+                float e1 = side * mix(left[band + 1u], right[band + 1u], f);
+                float edge0 = v + half_ * min(e0, e1);
+                float edge1 = v + half_ * max(e0, e1);
+#else
+                float edge0 = v - half_;
+                float edge1 = v + half_;
+#endif
+#if STYLE == 4
+                float near = 0.5 * mix(nearA[band] + nearA[band + 1u], nearB[band] + nearB[band + 1u], f);
+                z += zPerMetre * 0.5 * near * strandWidth(s, taper, (float(i) + f) * dt);
+#endif
+                if (!(z >= 0.0 && z <= 1.0)) continue;
+                uint key = depthKey(z, root.id);
+                int from = max(int(ceil(edge0 - 0.5)), 0);
+                int to = min(int(ceil(edge1 - 0.5)), sizeV);
+                for (int w = from; w < to; ++w) {
+                    ivec2 at = steep ? ivec2(w, u) : ivec2(u, w);
+                    uint pixel = uint(at.y * frame.size.x + at.x);
+#ifdef DEPTH_PASS
+                    atomicMin(keys[pixel], key);
+#else
+                    if (keys[pixel] == key) {
+                        float along = mix(fromA, toB, f);
+                        vec3 color = mix(lower[band], upper[band], along);
+#if STYLE == 2 || STYLE == 4
+                        float x = ((float(w) + 0.5 - v) / half_ - e0) / (e1 - e0);
+                        color = mix(color, mix(lower[band + 1u], upper[band + 1u], along),
+                                    clamp(x, 0.0, 1.0));
+#endif
+                        imageStore(picture, at, vec4(color, 1.0));
+                    }
+#endif
+                }
             }
         }
     }

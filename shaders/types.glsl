@@ -14,18 +14,23 @@ struct SkinVertex {  // one per welded vertex; world space, rest pose
 struct FurVertex {    // what is painted, one per welded vertex
     vec3 direction;   // where the hair is combed; |direction| in [0,1], 0 = along the normal
     float furLength;  // length of the overcoat hair, [0, 1e6]
+    vec3 tint;        // linear RGB in [0,1], multiplies the color of hair; 1 = as the coat has it
     float density;    // share of the hairs that grow, [0,1]
-    float pad0;
-    float pad1;
-    float pad2;
 };
 
 struct Root {       // one per hair; nothing else is stored for it
     uint triangle;  // number of the triangle in the source file
     uint bary;      // weights of its first and second corner, unorm16 each, low half first
     uint id;        // random stream of this hair; a hash, because its draws are id, id + 1, ...
-    float rank;     // [0,1); the hair is drawn while rank < density * level of detail
+    uint guide;     // number of the root whose hair this one gathers to; its own = to none
 };
+
+// How hair is drawn: van Gelder and Wilhelms 1997, 3.6 to 3.8, and ribbons.
+const uint kStyleLine = 0u;     // straight from root to end, shaded by the skin's normal
+const uint kStylePolyline = 1u; // a set number of segments
+const uint kStyleRibbon = 2u;   // faces the eye, round in its shading; as many segments as it needs
+const uint kStyleCurve = 3u;    // the same curve, one normal and one color for the entire hair
+const uint kStyleTube = 4u;     // NURBS surface: a narrow tube with normals of its own
 
 struct Coat {                // one coat of hair; rows of the coat table (core/coat.h)
     vec3 ambient;            // linear RGB, reflectance for light from all sides
@@ -42,6 +47,14 @@ struct Coat {                // one coat of hair; rows of the coat table (core/c
     float width;             // diameter at the root; 0 = chosen from density and length
     float taper;             // [0,1] share of the width that is lost from root to tip
     float relativeLength;    // [0,1] share of the painted length
+    uint style;              // kStyle..., how a hair is drawn
+    float clump;             // [0,1] how far the tip gathers to the tip of its guide
+    float clumpSize;         // [2,1000] hairs that gather to one
+    float clumpShape;        // [0.5,4] exponent: how late along the hair it gathers
+    float curlRadius;        // [0,0.5] share of the length, at the tip
+    float curlTurns;         // [0,20] from root to tip
+    float frizz;             // [0,0.5] share of the length, at the tip
+    float frizzWaves;        // [1,16] from root to tip
 #ifdef __cplusplus
     bool operator==(const Coat&) const = default;
 #endif
@@ -52,10 +65,16 @@ struct Fur {                // everything about the fur that is not painted
     Coat under;             // undercoat
     vec3 gravityDirection;  // unit, world space
     float gravity;          // [0,1], 1 = the rule of the paper
+    vec3 windDirection;     // unit, world space: where it blows to
+    float wind;             // [0,1], 1 pulls as hard as gravity of strength 1
     float share;            // [0,1] share of the hairs that belong to the overcoat
     uint hairs;             // hairs on the entire skin at density 1, [0, 5e6]
     uint seed;              // changes every random choice
-    uint pad0;
+    float gusts;            // [0,1] share by which the wind swells and dies
+    float gustRate;         // [0,5] Hz
+    float gustSize;         // m, from gust to gust
+    float pad0;
+    float pad1;
 #ifdef __cplusplus
     bool operator==(const Fur&) const = default;
 #endif
@@ -75,7 +94,17 @@ struct Strand {        // one hair, ready to be evaluated; world space
     uint coat;         // 0 over, 1 under
     float keep;        // largest rank at which the hair is drawn: the painted density
     float sinTwist;    // of the same angle
-    float pad0;
+    uint id;           // random stream
+    vec3 guideOffset;  // m, from this root to that of the guide
+    float clump;       // [0,1] how far the tip gathers to the guide's; 0 = no guide
+    vec3 guideWeightless;  // m, weightless and end of the guide times its scale
+    float clumpShape;
+    vec3 guideEnd;
+    float curl;        // m, radius at the tip; 0 = none
+    float curlTurns;   // from root to tip
+    float frizz;       // m, at the tip; 0 = none
+    float frizzWaves;  // from root to tip
+    uint style;        // kStyle...
 };
 
 struct Light {    // what lights the animal

@@ -18,7 +18,7 @@ struct Options {
     InputOptions input;
     std::string output;
     std::string size = "900x900";
-    std::string technique = "polyline";
+    std::string technique;  // style of both coats; empty = each its own
     std::optional<float> distance;     // m
     float yaw = 35.0f, pitch = 12.0f;  // degrees
     int samples = 16, repeat = 3;
@@ -71,13 +71,20 @@ View viewOf(const Document& document, const Options& options) {
     return view;
 }
 
+// The hair styles by name: "ribbon", or "ribbon/polyline" for overcoat and undercoat.
+std::string techniqueOf(const Fur& fur) {
+    const Parameter& row = styleRow();
+    const std::string over = row.choices[fur.over.style], under = row.choices[fur.under.style];
+    return over == under ? over : over + "/" + under;
+}
+
 OrderedJson jsonOf(const Options& options, const Document& document, const View& view,
                    const FrameStats& stats, const std::vector<double>& times,
                    const Renderer& renderer) {
     return {{"output", options.output},
             {"width", view.size.x},
             {"height", view.size.y},
-            {"technique", options.technique},
+            {"technique", techniqueOf(document.fur)},
             {"hairsTotal", stats.hairsTotal},
             {"hairsDrawn", stats.hairsDrawn},
             {"segments", view.segments},
@@ -103,7 +110,8 @@ std::string textOf(const OrderedJson& result) {
 }
 
 void render(const Options& options, bool json) {
-    const Document document = openInput(options.input);
+    Document document = openInput(options.input);
+    if (!options.technique.empty()) setParameter(document.fur, "both.style", options.technique);
     const HeadlessContext context;
     Renderer renderer;
     const View view = viewOf(document, options);
@@ -132,10 +140,11 @@ void addRender(CLI::App& app, bool& json) {
         ->type_name("WxH")
         ->capture_default_str()
         ->check(CLI::Validator(checkSize, ""));
-    verb->add_option("--technique", options->technique, "How hair is drawn")
+    const auto styles = styleRow().choices;
+    verb->add_option("--technique", options->technique,
+                     "How hair is drawn, in place of the coats' own styles")
         ->type_name("NAME")
-        ->capture_default_str()
-        ->check(CLI::IsMember({"polyline"}));
+        ->check(CLI::IsMember(std::vector<std::string>(styles.begin(), styles.end())));
     verb->add_option("--distance", options->distance,
                      "m from the eye to the middle of the model; without it the model is framed")
         ->type_name("D")

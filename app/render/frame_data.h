@@ -21,9 +21,13 @@ struct FrameData {
     float hairsPerArea = 0.0f;
     uint coats = 3;
     uint textured = 0;
-    uint jobs = 0;
+    uint hairs = 0;
+    float seconds = 0.0f;
+    float tolerance = 0.3f;
+    uint sides = 0;
+    uint pad = 0;
 };
-static_assert(sizeof(FrameData) == 64 + 16 + 16 + 48 + 16 + 16 + 16);
+static_assert(sizeof(FrameData) == 64 + 16 + 16 + 48 + 16 + 16 + 16 + 16);
 
 // Where each buffer and texture is bound: the numbers in shaders/*.
 namespace binding {
@@ -38,9 +42,10 @@ enum Storage : unsigned {
     mask = 6,
     roots = 7,
     keys = 8,
-    jobs = 9,
+    runs = 9,
     counters = 10,
-    lines = 11
+    lines = 11,
+    groups = 12
 };
 enum Texture : unsigned { baseColors = 0, skinDepth = 1 };
 }  // namespace binding

@@ -6,6 +6,7 @@
 
 #include "app/render/base_colors.h"
 #include "app/render/frame_data.h"
+#include "core/clumps.h"
 
 namespace pelage {
 namespace {
@@ -103,8 +104,12 @@ bool Mirror::update(const Document& document) {
         skin_ = document.skin;
     }
     if (newGroom) uploadGroom(document, newSkin);
-    if (newSkin || document.fur.hairs != fur_.hairs || document.fur.seed != fur_.seed) {
-        roots_ = scatterRoots(*document.skin, document.fur.hairs, document.fur.seed);
+    const bool newRoots =
+        newSkin || document.fur.hairs != fur_.hairs || document.fur.seed != fur_.seed;
+    if (newRoots) roots_ = scatterRoots(*document.skin, document.fur.hairs, document.fur.seed);
+    const bool newGuides = newRoots || guidesDiffer(document.fur, fur_);
+    if (newGuides) {
+        assignGuides(roots_, *document.skin, document.fur);
         rootBuffer_.upload(view(roots_.roots));
     }
     if (newFur) {

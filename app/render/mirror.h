@@ -35,6 +35,7 @@ public:
     };
     const std::vector<Part>& parts() const { return parts_; }
     const gl::Buffer& indices() const { return sourceTriangles_; }
+    bool outward() const { return skin_->outward; }
     bool textured() const { return textured_; }
     // m, of all vertices
     float longestHair() const;

@@ -33,6 +33,7 @@ void PostPass::accumulate(const gl::Texture& sample, bool first) {
         glBlendFunc(GL_ONE, GL_ONE);
     }
     accumulate_.use();
+    glProgramUniform2f(accumulate_.name(), 0, pixel().x, pixel().y);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDisable(GL_BLEND);
 }
@@ -45,6 +46,7 @@ void PostPass::display(int samples, const gl::Texture& only, std::span<const Ove
     glBindTextureUnit(0, samples == 1 ? only.name() : sum_.name());
     display_.use();
     glProgramUniform1f(display_.name(), 0, 1.0f / static_cast<float>(samples));
+    glProgramUniform2f(display_.name(), 1, pixel().x, pixel().y);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     if (lines.empty()) return;
 
@@ -60,6 +62,7 @@ void PostPass::display(int samples, const gl::Texture& only, std::span<const Ove
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     lines_.use();
     glProgramUniformMatrix4fv(lines_.name(), 0, 1, GL_FALSE, &viewProjection[0].x);
+    glProgramUniform2f(lines_.name(), 1, pixel().x, pixel().y);
     // Near and far are those of the fur; rings and arrows may stick out of it.
     glEnable(GL_DEPTH_CLAMP);
     glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(2 * lines.size()));

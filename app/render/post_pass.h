@@ -26,6 +26,8 @@ public:
     }
 
 private:
+    vec2 pixel() const { return 1.0f / vec2(size_); }
+
     ivec2 size_{0};
     Program accumulate_, display_, lines_;
     gl::VertexArray vertexArray_;

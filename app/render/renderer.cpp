@@ -29,8 +29,8 @@ struct PictureKey {
     ivec2 size;
     Overlay overlay;
     bool showSkin, showOver, showUnder, cullByDistance;
-    uint segments;
-    float share, budget;
+    uint segments, sides;
+    float share, budget, tolerance, seconds;
     vec3 background;
     bool operator==(const PictureKey&) const = default;
 
@@ -43,8 +43,11 @@ struct PictureKey {
           showUnder(v.showUnder),
           cullByDistance(v.cullByDistance),
           segments(v.segments),
+          sides(v.sides),
           share(v.share),
           budget(v.budget),
+          tolerance(v.tolerance),
+          seconds(v.seconds),
           background(v.background) {}
 };
 
@@ -71,9 +74,16 @@ Light studioLight(const Camera& camera) {
 struct CostModel {
     double perHair = 1e-6, rest = 0.02;  // s
 
+    // From a frame whose parts were timed.
     void learn(std::size_t hairs, double strands, double others) {
         if (hairs > 1000) perHair += 0.5 * (strands / static_cast<double>(hairs) - perHair);
         rest += 0.5 * (others - rest);
+    }
+    // From a frame that was timed as a whole.
+    void learn(std::size_t hairs, double all) {
+        const double factor = all / (rest + perHair * static_cast<double>(hairs));
+        perHair *= factor;
+        rest *= factor;
     }
     float share(float budget, std::size_t hairs) const {
         const double room = std::max(budget - rest, 0.15 * budget);
@@ -81,6 +91,26 @@ struct CostModel {
                                   (perHair * static_cast<double>(std::max<std::size_t>(hairs, 1))));
     }
 };
+
+// What a sample is drawn into.
+struct Canvas {
+    ivec2 size{0};
+    gl::Texture color, depth;
+    gl::Framebuffer target;
+
+    void resize(ivec2 wanted) {
+        if (wanted == size) return;
+        size = wanted;
+        color = gl::makeTexture(size, GL_RGBA16F);
+        glTextureParameteri(color.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        depth = gl::makeTexture(size, GL_DEPTH_COMPONENT32F);
+        target = gl::makeFramebuffer(color, &depth);
+    }
+};
+
+// Below this share of the hairs a frame with a budget is drawn with half as many pixels each way:
+// few hairs have to be so wide that their pixels cost more than the others would.
+constexpr float kLeastSharp = 0.1f;
 
 // OpenGL 4.5 promises fewer storage buffers than the shaders read; every desktop driver has more.
 void requireCapabilities() {
@@ -93,10 +123,9 @@ void requireCapabilities() {
         int needed;
         const char* name;
     } limits[] = {
-        {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 12, "storage buffers"},
-        {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 10, "storage buffers in a compute shader"},
-        {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, 4, "storage buffers in a vertex shader"},
-        {GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, 1, "storage buffers in a fragment shader"},
+        {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 13, "storage buffers"},
+        {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 11, "storage buffers in a compute shader"},
+        {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, 5, "storage buffers in a vertex shader"},
         {GL_MAX_COMPUTE_IMAGE_UNIFORMS, 1, "images in a compute shader"},
     };
     for (const auto& [limit, needed, name] : limits) {
@@ -116,30 +145,31 @@ struct Renderer::Parts {
     StrandPass strandPass;
     PostPass postPass;
     gl::Buffer frameBlock;
-    gl::Texture color, depth;
-    gl::Framebuffer target;
+    Canvas fine, coarse;
+    CostModel fineCost, coarseCost;
     ivec2 size{0};
     std::optional<PictureKey> key;
     int samples = 0;
     bool single = false;
     bool linesShown = false;
+    bool blurred = false;  // the sample in the picture was drawn coarsely
     FrameStats stats;
-    CostModel cost;
 
     void resize(ivec2 wanted) {
         if (wanted == size) return;
         size = wanted;
-        color = gl::makeTexture(size, GL_RGBA16F);
-        depth = gl::makeTexture(size, GL_DEPTH_COMPONENT32F);
-        target = gl::makeFramebuffer(color, &depth);
+        fine.resize(size);
         postPass.resize(size);
         samples = 0;
     }
 
-    FrameData frameData(const Document& document, const View& view, int sample) const;
-    void drawSkin(const FrameData& frame, const View& view);
+    FrameData frameData(const Document& document, const View& view, int sample, ivec2 pixels) const;
+    void drawSkin(const Canvas& canvas, const FrameData& frame, const View& view);
     // Returns the number of hairs that were tried; with a budget it waits for the GPU.
-    std::size_t drawStrands(const Document& document, const View& view, const FrameData& frame);
+    StrandPlan plan(const Document& document, const View& view, const FrameData& frame,
+                    float share) const;
+    std::size_t drawStrands(const Canvas& canvas, const Document& document, const View& view,
+                            const FrameData& frame, const CostModel& cost);
     mat4 viewProjection(const Document& document, const View& view) const;
 };
 
@@ -149,10 +179,11 @@ mat4 Renderer::Parts::viewProjection(const Document& document, const View& view)
     return view.camera.projection(aspect, document.skin->center(), radius) * view.camera.view();
 }
 
-FrameData Renderer::Parts::frameData(const Document& document, const View& view, int sample) const {
+FrameData Renderer::Parts::frameData(const Document& document, const View& view, int sample,
+                                     ivec2 pixels) const {
     FrameData frame;
     const Camera& camera = view.camera;
-    const vec2 offset = 2.0f * sampleOffset(sample) / vec2(view.size);
+    const vec2 offset = 2.0f * sampleOffset(sample) / vec2(pixels);
     mat4 shift(1.0f);
     shift[3] = vec4(offset, 0.0f, 1.0f);
     frame.viewProjection = shift * viewProjection(document, view);
@@ -161,13 +192,13 @@ FrameData Renderer::Parts::frameData(const Document& document, const View& view,
     frame.perspective = camera.orthographic ? 0.0f : 1.0f;
     const float halfHeight =
         std::tan(0.5f * camera.fieldOfView) * (camera.orthographic ? camera.distance : 1.0f);
-    frame.pixelsPerMetre = 0.5f * static_cast<float>(view.size.y) / halfHeight;
+    frame.pixelsPerMetre = 0.5f * static_cast<float>(pixels.y) / halfHeight;
     frame.light = studioLight(camera);
     const bool unit = view.overlay == Overlay::density || view.overlay == Overlay::mask;
     frame.overlayRange = vec2(0.0f, unit ? 1.0f : std::max(mirror.longestHair(), 1e-12f));
     frame.overlay = static_cast<uint>(view.overlay);
     frame.segments = std::clamp(view.segments, 1u, 16u);
-    frame.size = view.size;
+    frame.size = pixels;
     const Fur& fur = document.fur;
     const auto width = [&](const Coat& coat) {
         return coat.width > 0.0f ? coat.width : autoWidth(*document.skin, fur.hairs, coat.taper);
@@ -177,16 +208,19 @@ FrameData Renderer::Parts::frameData(const Document& document, const View& view,
     frame.hairsPerArea =
         document.skin->area > 0.0 ? static_cast<float>(fur.hairs / document.skin->area) : 0.0f;
     frame.coats = (view.showOver ? 1u : 0u) | (view.showUnder ? 2u : 0u);
+    frame.seconds = view.seconds;
+    frame.tolerance = std::max(view.tolerance, 0.01f);
+    frame.sides = view.sides;
     frame.textured = mirror.textured() ? 1u : 0u;
     return frame;
 }
 
-void Renderer::Parts::drawSkin(const FrameData& frame, const View& view) {
+void Renderer::Parts::drawSkin(const Canvas& canvas, const FrameData& frame, const View& view) {
     frameBlock.upload(std::span<const FrameData>(&frame, 1));
     mirror.bind();
     frameBlock.bindUniform(binding::frame);
-    glBindFramebuffer(GL_FRAMEBUFFER, target.name());
-    glViewport(0, 0, size.x, size.y);
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas.target.name());
+    glViewport(0, 0, canvas.size.x, canvas.size.y);
     glDepthMask(GL_TRUE);
     glDisable(GL_SCISSOR_TEST);
     const float one = 1.0f;
@@ -196,24 +230,28 @@ void Renderer::Parts::drawSkin(const FrameData& frame, const View& view) {
     if (view.showSkin) skinPass.draw(mirror);
 }
 
-std::size_t Renderer::Parts::drawStrands(const Document& document, const View& view,
-                                         const FrameData& frame) {
-    const Fur& fur = document.fur;
-    const float meanWidth = fur.share * frame.overWidth + (1.0f - fur.share) * frame.underWidth;
-    float share = std::clamp(view.share, 0.0f, 1.0f);
-    const auto plan = [&](float wanted) {
-        return planStrands(mirror.roots(), frame, meanWidth, mirror.longestHair(), wanted,
-                           view.cullByDistance);
-    };
-    StrandPlan strands = plan(share);
+StrandPlan Renderer::Parts::plan(const Document& document, const View& view,
+                                 const FrameData& frame, float share) const {
+    const float over = document.fur.share;
+    const float meanWidth = over * frame.overWidth + (1.0f - over) * frame.underWidth;
+    return planStrands(mirror.roots(), frame, meanWidth, mirror.longestHair(), share,
+                       view.cullByDistance);
+}
+
+std::size_t Renderer::Parts::drawStrands(const Canvas& canvas, const Document& document,
+                                         const View& view, const FrameData& frame,
+                                         const CostModel& cost) {
+    const float share = std::clamp(view.share, 0.0f, 1.0f);
+    StrandPlan strands = plan(document, view, frame, share);
     if (view.budget > 0.0f) {
         const float fitting = cost.share(view.budget, strands.hairs);
-        if (fitting < 1.0f) strands = plan(share * fitting);
+        if (fitting < 1.0f) strands = plan(document, view, frame, share * fitting);
     }
-    FrameData withJobs = frame;
-    withJobs.jobs = static_cast<uint>(strands.jobs.size());
-    frameBlock.upload(std::span<const FrameData>(&withJobs, 1));
-    strandPass.draw(mirror, withJobs, strands, frameBlock, color, depth);
+    FrameData withHairs = frame;
+    withHairs.hairs = strands.hairs;
+    frameBlock.upload(std::span<const FrameData>(&withHairs, 1));
+    strandPass.draw(mirror, document.fur, withHairs, strands, frameBlock,
+                    canvas.color, canvas.depth);
     if (view.budget > 0.0f) glFinish();
     return strands.hairs;
 }
@@ -242,26 +280,39 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
     p.resize(view.size);
 
     if (p.samples < wanted) {
-        const FrameData frame = p.frameData(document, view, p.samples);
-        p.drawSkin(frame, view);
+        const bool bounded = view.budget > 0.0f;
+        FrameData frame = p.frameData(document, view, p.samples, p.fine.size);
+        p.blurred = bounded && p.fineCost.share(view.budget, p.plan(document, view, frame,
+                                                                    view.share).hairs) < kLeastSharp;
+        if (p.blurred) {
+            p.coarse.resize((view.size + 1) / 2);
+            frame = p.frameData(document, view, p.samples, p.coarse.size);
+        }
+        const Canvas& canvas = p.blurred ? p.coarse : p.fine;
+        CostModel& cost = p.blurred ? p.coarseCost : p.fineCost;
+        p.drawSkin(canvas, frame, view);
         // The parts of a frame can only be told apart where each waits for the one before.
-        if (view.budget > 0.0f) glFinish();
+        if (bounded) glFinish();
         const auto strandStart = Clock::now();
-        const std::size_t tried = p.drawStrands(document, view, frame);
+        const std::size_t tried = p.drawStrands(canvas, document, view, frame, cost);
         const double strandSeconds = secondsSince(strandStart);
-        if (!single) p.postPass.accumulate(p.color, p.samples == 0);
+        if (!single) p.postPass.accumulate(canvas.color, p.samples == 0);
         ++p.samples;
-        p.postPass.display(p.samples, p.color, view.lines, p.viewProjection(document, view),
-                           p.depth);
+        p.postPass.display(p.samples, canvas.color, view.lines, p.viewProjection(document, view),
+                           canvas.depth);
         glFinish();
         p.stats.seconds = secondsSince(start);
-        if (view.budget > 0.0f) p.cost.learn(tried, strandSeconds, p.stats.seconds - strandSeconds);
+        if (bounded)
+            cost.learn(tried, strandSeconds, p.stats.seconds - strandSeconds);
+        else
+            cost.learn(tried, p.stats.seconds);
         p.stats.hairsTotal = p.mirror.roots().roots.size();
         p.stats.hairsDrawn = p.strandPass.hairsDrawn();
         p.stats.samples = p.samples;
     } else if (!view.lines.empty() || p.linesShown) {
-        p.postPass.display(p.samples, p.color, view.lines, p.viewProjection(document, view),
-                           p.depth);
+        const Canvas& canvas = p.blurred ? p.coarse : p.fine;
+        p.postPass.display(p.samples, canvas.color, view.lines, p.viewProjection(document, view),
+                           canvas.depth);
     }
     p.linesShown = !view.lines.empty();
     p.stats.finished = p.samples >= wanted;

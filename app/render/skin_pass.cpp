@@ -11,7 +11,11 @@ void SkinPass::draw(const Mirror& mirror) const {
     glBindVertexArray(vertexArray_.name());
     glVertexArrayElementBuffer(vertexArray_.name(), mirror.indices().name());
     glEnable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
+    if (mirror.outward()) {
+        glEnable(GL_CULL_FACE);
+    } else {
+        glDisable(GL_CULL_FACE);
+    }
     glDisable(GL_BLEND);
     for (const Mirror::Part& part : mirror.parts()) {
         glProgramUniform1ui(program_.name(), 0, part.material);
@@ -19,6 +23,7 @@ void SkinPass::draw(const Mirror& mirror) const {
         glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * part.triangleCount), GL_UNSIGNED_INT,
                        reinterpret_cast<const void*>(offset));
     }
+    glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "app/render/frame_data.h"
@@ -10,15 +12,24 @@
 
 namespace pelage {
 
-// How many hairs of which clusters a frame draws; chosen on the CPU before anything is shaped.
+// Which hairs a frame draws; chosen on the CPU before anything is shaped. Hairs are numbered through
+// all runs, so that groups of 32 are full however few hairs a cluster gives.
 struct StrandPlan {
-    struct Job {  // as in shaders/strand_raster.comp
-        uint first = 0, count = 0;
-        float lod = 1.0f, fade = 1.0f;
-        uint seen = 0, pad[3] = {};
+    struct Run {  // a prefix of a cluster of roots, as in shaders/strand_raster.comp
+        uint first = 0;             // into the roots
+        uint begin = 0, end = 0;    // numbers of its hairs, the last one excluded
+        float lod = 1.0f;           // share of the cluster's hairs that is drawn
+        float fade = 1.0f;          // rank at which a hair of density 1 has faded out, >= lod
+        float phase = 0.0f, step = 1.0f;  // of the ranks, see rankOf
+        uint pad = 0;
     };
-    std::vector<Job> jobs;
-    std::size_t hairs = 0;  // sum of the counts
+    struct Group {     // of 32 hairs
+        uint run = 0;  // that its first hair belongs to
+        uint seen = 0;
+    };
+    std::vector<Run> runs;
+    std::vector<Group> groups;
+    uint hairs = 0;
 };
 
 // Leaves out clusters outside the view, and of the others all hairs beyond the share that is
@@ -31,16 +42,28 @@ class StrandPass {
 public:
     StrandPass();
     // Draws into `picture` (RGBA16F) the hairs that stand before `skinDepth`.
-    void draw(const Mirror& mirror, const FrameData& frame, const StrandPlan& plan,
+    void draw(const Mirror& mirror, const Fur& fur, const FrameData& frame, const StrandPlan& plan,
               const gl::Buffer& frameBlock, const gl::Texture& picture,
               const gl::Texture& skinDepth);
     // Hairs that the last draw found not hidden; waits for the GPU.
     std::size_t hairsDrawn() const;
-    std::size_t bytes() const { return keys_.bytes() + jobs_.bytes(); }
+    std::size_t bytes() const { return keys_.bytes() + runs_.bytes() + groups_.bytes(); }
 
 private:
-    Program keyProgram_, depthProgram_, colorProgram_;
-    gl::Buffer keys_, jobs_, counters_;
+    // The two passes of hair of one style, and the coats that they draw.
+    struct Pair {
+        Program depth, color;
+    };
+    struct Part {
+        const Pair* programs;
+        uint coats;
+    };
+    const Pair& programsOf(const Coat& coat);
+    std::vector<Part> partsOf(const Fur& fur, uint coats);
+
+    Program keyProgram_;
+    std::map<std::pair<uint, bool>, Pair> programs_;  // by style, and whether it is shaped
+    gl::Buffer keys_, runs_, groups_, counters_;
 };
 
 }  // namespace pelage

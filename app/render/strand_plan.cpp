@@ -8,7 +8,7 @@
 namespace pelage {
 namespace {
 
-constexpr uint kJobSize = 32;         // local_size_x of strand_raster.comp
+constexpr std::size_t kGroupSize = 32;  // local_size_x of strand_raster.comp
 constexpr float kLeastShare = 0.01f;  // some hair is drawn at any distance
 constexpr float kFadeWindow = 0.4f;   // share of the level of detail over which hairs fade
 
@@ -51,12 +51,17 @@ StrandPlan planStrands(const Roots& roots, const FrameData& frame, float rootWid
         const float fade = std::min(1.0f, lod * (1.0f + 0.5f * kFadeWindow));
         const auto wanted = static_cast<uint>(std::ceil(fade * static_cast<float>(cluster.count)));
         const uint count = std::min(wanted, cluster.count);
+        if (count == 0) continue;
+        const auto run = static_cast<uint>(plan.runs.size());
+        plan.runs.push_back({.first = cluster.first,
+                             .begin = plan.hairs,
+                             .end = plan.hairs + count,
+                             .lod = lod,
+                             .fade = fade,
+                             .phase = cluster.phase,
+                             .step = 1.0f / static_cast<float>(cluster.count)});
         plan.hairs += count;
-        for (uint first = 0; first < count; first += kJobSize)
-            plan.jobs.push_back({.first = cluster.first + first,
-                                 .count = std::min(kJobSize, count - first),
-                                 .lod = lod,
-                                 .fade = fade});
+        while (plan.groups.size() * kGroupSize < plan.hairs) plan.groups.push_back({.run = run});
     }
     return plan;
 }

@@ -62,7 +62,7 @@ TEST(Averages, AnEvenFieldHasItsOwnValueAsMeanBitForBit) {
     for (const float reach : {0.01f, 0.3f, 5.0f}) {
         Canvas canvas(test::ball(3));
         for (uint v = 0; v < canvas.groom.fur.size(); ++v)
-            canvas.groom.fur.edit(v) = {vec3(0.1f, 0.2f, 0.7f), 0.123f, 0.3f, 0, 0, 0};
+            canvas.groom.fur.edit(v) = {vec3(0.1f, 0.2f, 0.7f), 0.123f, vec3(1.0f), 0.3f};
         Averages averages(canvas.query, canvas.groom, reach);
         for (uint v = 0; v < canvas.groom.fur.size(); ++v)
             ASSERT_TRUE(sameBits(averages.around(v), canvas.groom.fur[v])) << reach;

@@ -31,6 +31,11 @@ Json limit(const Parameter& row, float value) {
 }
 
 Json rowSchema(const Parameter& row) {
+    if (row.kind == ParameterKind::choice)
+        return {{"title", row.label},
+                {"description", row.help},
+                {"type", "string"},
+                {"enum", std::vector<std::string>(row.choices.begin(), row.choices.end())}};
     Json number{{"type", row.kind == ParameterKind::count ? "integer" : "number"},
                 {"minimum", limit(row, row.least)},
                 {"maximum", limit(row, row.greatest)}};
@@ -86,8 +91,12 @@ std::string misfit(const Json& root, const Json& schema, const Json& value,
     const std::string type = schema.at("type");
     if ((type == "object" && !value.is_object()) || (type == "array" && !value.is_array()) ||
         (type == "number" && !value.is_number()) ||
-        (type == "integer" && !value.is_number_integer()))
+        (type == "integer" && !value.is_number_integer()) ||
+        (type == "string" && !value.is_string()))
         return place + " is no " + type;
+    if (schema.contains("enum") &&
+        std::find(schema["enum"].begin(), schema["enum"].end(), value) == schema["enum"].end())
+        return place + " is not in the list";
     if (schema.contains("minimum") && value < schema["minimum"]) return place + " is too small";
     if (schema.contains("maximum") && value > schema["maximum"]) return place + " is too large";
     if (type == "array") {

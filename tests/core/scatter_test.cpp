@@ -28,11 +28,22 @@ std::vector<uint> perTriangle(const Skin& skin, const Roots& roots) {
     return count;
 }
 
+std::vector<float> ranksOf(const Roots& roots) {
+    std::vector<float> ranks;
+    for (const Cluster& cluster : roots.clusters)
+        for (uint i = 0; i < cluster.count; ++i) ranks.push_back(cluster.rank(i));
+    return ranks;
+}
+
 bool sameRoots(const Roots& a, const Roots& b) {
     return std::equal(a.roots.begin(), a.roots.end(), b.roots.begin(), b.roots.end(),
                       [](const Root& x, const Root& y) {
                           return x.triangle == y.triangle && x.bary == y.bary && x.id == y.id &&
-                                 x.rank == y.rank;
+                                 x.guide == y.guide;
+                      }) &&
+           std::equal(a.clusters.begin(), a.clusters.end(), b.clusters.begin(), b.clusters.end(),
+                      [](const Cluster& x, const Cluster& y) {
+                          return x.first == y.first && x.count == y.count && x.phase == y.phase;
                       });
 }
 
@@ -191,7 +202,7 @@ TEST(Scatter, AnyPrefixByRankIsAFairSample) {
     const Roots roots = scatterRoots(*skin, 50000, 2);
     for (const float share : {0.5f, 0.25f, 0.125f, 0.01f}) {
         std::size_t drawn = 0;
-        for (const Root& r : roots.roots) drawn += r.rank < share;
+        for (const float rank : ranksOf(roots)) drawn += rank < share;
         const double expected = share * static_cast<double>(roots.roots.size());
         EXPECT_NEAR(static_cast<double>(drawn), expected,
                     4.0 * std::sqrt(static_cast<double>(roots.clusters.size())))
@@ -199,7 +210,7 @@ TEST(Scatter, AnyPrefixByRankIsAFairSample) {
     }
     for (const Cluster& cluster : roots.clusters)
         for (uint i = 1; i < cluster.count; ++i)
-            ASSERT_LT(roots.roots[cluster.first + i - 1].rank, roots.roots[cluster.first + i].rank);
+            ASSERT_LT(cluster.rank(i - 1), cluster.rank(i));
 }
 
 // Variance / mean of the number of hairs in discs that hold `mean` of them; 1 for white noise.
@@ -207,8 +218,10 @@ double clumpiness(const Skin& skin, const Roots& roots, float share, double mean
     const double radius =
         std::sqrt(mean / (share * static_cast<double>(roots.roots.size())) / 3.14159265);
     std::vector<vec2> places;
-    for (const Root& root : roots.roots) {
-        if (!(root.rank < share)) continue;
+    const std::vector<float> ranks = ranksOf(roots);
+    for (std::size_t i = 0; i < ranks.size(); ++i) {
+        if (!(ranks[i] < share)) continue;
+        const Root& root = roots.roots[i];
         const uvec3 t = skin.triangles[root.triangle];
         const vec3 w = baryWeights(root.bary);
         const vec3 p = w.x * skin.vertices[t.x].position + w.y * skin.vertices[t.y].position +

@@ -67,7 +67,7 @@ TEST(Strand, IsAsLongAsAsked) {
     for (int i = 0; i < 300; ++i) {
         const Coat coat = coatWith(random.next(), random.next(), 0.5f * random.next());
         const Strand s = bendStrand(vec3(0), random.direction(), random.direction(), 0.04f, coat,
-                                    pcg(static_cast<uint>(i)), kDown, 1.0f);
+                                    pcg(static_cast<uint>(i)), kDown);
         worst = std::max(worst, std::abs(arcLength(s) / 0.04 - 1.0));
     }
     EXPECT_LT(worst, 1e-5);
@@ -85,7 +85,7 @@ TEST(Strand, FollowsThePapersRuleAwayFromItsSingularities) {
         const vec3 literal = w - (1 - stiffness) * c * kUp;
         if (!(c > 0.05f) || glm::length(literal) < 0.1f) continue;
         const Strand s =
-            bendStrand(vec3(0), n, d, 1.0f, coatWith(stiffness, weight, 0.0f), 5u, kDown, 1.0f);
+            bendStrand(vec3(0), n, d, 1.0f, coatWith(stiffness, weight, 0.0f), 5u, kDown);
         EXPECT_LT(glm::distance(s.weightless, w), 2e-6f);
         const float tieBreak = 0.02f * (1 - stiffness) * c / glm::length(literal);
         EXPECT_LT(glm::distance(s.end, glm::normalize(literal)), 1.01f * tieBreak + 2e-6f);
@@ -94,13 +94,13 @@ TEST(Strand, FollowsThePapersRuleAwayFromItsSingularities) {
 
 TEST(Strand, HorizontalHairsDroopAtMostToFortyFiveDegrees) {
     const Strand s =
-        bendStrand(vec3(0), vec3(1, 0, 0), vec3(1, 0, 0), 1.0f, coatWith(0, 0, 0), 1u, kDown, 1.0f);
+        bendStrand(vec3(0), vec3(1, 0, 0), vec3(1, 0, 0), 1.0f, coatWith(0, 0, 0), 1u, kDown);
     EXPECT_NEAR(std::atan2(-s.end.y, s.end.x), 0.7854f, 0.02f);
 }
 
 TEST(Strand, StartsOnTheSkinTowardsTheWeightlessDirection) {
     const Strand s = bendStrand(vec3(1, 2, 3), kUp, vec3(1, 0, 0), 0.1f, coatWith(0.2f, 0.5f, 0),
-                                9u, kDown, 1.0f);
+                                9u, kDown);
     EXPECT_EQ(strandPoint(s, 0.0f), vec3(1, 2, 3));
     EXPECT_NEAR(glm::dot(strandTangent(s, 0.0f), s.weightless), 1.0f, 1e-6f);
 }
@@ -121,8 +121,12 @@ TEST(Strand, EveryInputGivesAFiniteHairAboveItsRootPlane) {
         const vec3 n = safeUnit(vec3(pick(next()), pick(next()), pick(next())), kUp);
         const vec3 painted(pick(next()), pick(next()), pick(next()));
         Coat coat = coatWith(pick(next()), pick(next()), pick(next()));
-        const float gravity = pick(next());
-        const Strand s = bendStrand(vec3(0), n, painted, 1.0f, coat, next(), kDown, gravity);
+        Fur fur = defaultFur();
+        fur.gravity = pick(next());
+        fur.wind = pick(next());
+        fur.gusts = pick(next());
+        const vec3 pull = pullAt(fur, vec3(pick(next())), pick(next()));
+        const Strand s = bendStrand(vec3(0), n, painted, 1.0f, coat, next(), pull);
         for (int p = 0; p <= 7; ++p) {
             const float t = static_cast<float>(p) / 7.0f;
             const vec3 point = strandPoint(s, t);
@@ -146,7 +150,7 @@ TEST(Strand, ALengthThatIsNoneGivesNoHair) {
         FurVertex fur{};
         fur.furLength = furLength;
         fur.density = 1.0f;
-        const Strand s = growStrand(Root{0, 0, 1, 0}, a, b, c, fur, fur, fur, defaultFur(), 1e-4f);
+        const Strand s = growStrand(Root{0, 0, 1, 0}, a, b, c, fur, fur, fur, defaultFur(), 1e-4f, 0.0f);
         EXPECT_EQ(s.spineLength, 0.0f) << furLength;
         EXPECT_TRUE(finite(strandPoint(s, 1.0f))) << furLength;
     }
@@ -159,7 +163,7 @@ TEST(Strand, DensityThatIsNoneKeepsNoHair) {
         FurVertex fur{};
         fur.furLength = 1.0f;
         fur.density = density;
-        const Strand s = growStrand(Root{0, 0, 1, 0}, a, b, c, fur, fur, fur, defaultFur(), 1e-4f);
+        const Strand s = growStrand(Root{0, 0, 1, 0}, a, b, c, fur, fur, fur, defaultFur(), 1e-4f, 0.0f);
         EXPECT_EQ(s.keep, 0.0f) << density;
     }
 }
@@ -173,14 +177,14 @@ TEST(Strand, NormalsThatCancelFallBackToTheFace) {
     FurVertex fur{};
     fur.furLength = 1.0f;
     const Root middle{0, 32767u | 32767u << 16u, 1, 0};
-    const Strand s = growStrand(middle, a, b, c, fur, fur, fur, defaultFur(), 1e-4f);
+    const Strand s = growStrand(middle, a, b, c, fur, fur, fur, defaultFur(), 1e-4f, 0.0f);
     EXPECT_NEAR(s.normal.y, 1.0f, 1e-5f);
 }
 
 TEST(Strand, ShadingNormalIsPerpendicularInThePlaneAndOnTheConvexSide) {
     Coat coat = coatWith(0.2f, 0.0f, 0.0f);
     coat.normalRandomness = 0.0f;
-    const Strand s = bendStrand(vec3(0), vec3(1, 0, 0), vec3(0), 1.0f, coat, 1u, kDown, 1.0f);
+    const Strand s = bendStrand(vec3(0), vec3(1, 0, 0), vec3(0), 1.0f, coat, 1u, kDown);
     for (const float t : {0.0f, 0.5f, 1.0f}) {
         const vec3 tangent = strandTangent(s, t), normal = strandNormal(s, tangent);
         EXPECT_NEAR(glm::dot(tangent, normal), 0.0f, 1e-6f);
@@ -197,7 +201,7 @@ TEST(Strand, EndRandomnessTurnsByTheRootMeanSquareOfTheMethod) {
         for (int i = 0; i < count; ++i) {
             const Strand s = bendStrand(vec3(0), kUp, vec3(0), 1.0f,
                                         coatWith(1.0f, 0.0f, static_cast<float>(amount)),
-                                        hairId(static_cast<uint>(i), 0, 1), kDown, 0.0f);
+                                        hairId(static_cast<uint>(i), 0, 1), vec3(0));
             const double angle = std::acos(std::min(1.0f, glm::dot(s.weightless, kUp)));
             sum += angle * angle;
         }
@@ -230,7 +234,7 @@ Strand horizontalHair() {
     Coat straight = coatWith(1.0f, 1.0f, 0.0f);
     straight.normalRandomness = 0.0f;
     const vec3 painted(0.999f, 0.001f, 0);
-    return bendStrand(vec3(0), vec3(0, 1, 0), painted, 1.0f, straight, 1u, kDown, 0.0f);
+    return bendStrand(vec3(0), vec3(0, 1, 0), painted, 1.0f, straight, 1u, vec3(0));
 }
 
 TEST(Fiber, HighlightPeaksWhereTheMirrorWouldBe) {
@@ -262,7 +266,7 @@ TEST(Fiber, IsFiniteAndNotNegativeInEveryDirection) {
     const Fur fur = defaultFur();
     for (int i = 0; i < 20000; ++i) {
         const Strand s = bendStrand(vec3(0), random.direction(), random.direction(), 0.1f, fur.over,
-                                    pcg(static_cast<uint>(i)), kDown, 1.0f);
+                                    pcg(static_cast<uint>(i)), kDown);
         Light light{};
         light.toKey = i % 7 == 0 ? strandTangent(s, 0.5f) : random.direction();
         light.key = 2.0f;

@@ -90,7 +90,7 @@ TEST(Tools, CombDoesNothingWithoutAPathOnTheTangentPlane) {
 
 TEST(Tools, SmoothTendsToTheMeanByTheShare) {
     OneVertex one;
-    const FurVertex before = one.fur(), mean{vec3(0.3f, 0.0f, 0.1f), 0.2f, 0.9f, 0, 0, 0};
+    const FurVertex before = one.fur(), mean{vec3(0.3f, 0.0f, 0.1f), 0.2f, vec3(1.0f), 0.9f};
     const FurVertex after = one.after(halfBrush(Tool::smooth), 0.5f, vec3(0.0f), mean);
     EXPECT_FLOAT_EQ(after.furLength, glm::mix(before.furLength, mean.furLength, 0.25f));
     EXPECT_FLOAT_EQ(after.density, glm::mix(before.density, mean.density, 0.25f));
@@ -100,7 +100,7 @@ TEST(Tools, SmoothTendsToTheMeanByTheShare) {
 
 TEST(Tools, TheMaskHoldsBackAllButTheMaskTool) {
     OneVertex one;
-    const FurVertex before = one.fur(), around{vec3(0.3f, 0.0f, 0.1f), 0.2f, 0.9f, 0, 0, 0};
+    const FurVertex before = one.fur(), around{vec3(0.3f, 0.0f, 0.1f), 0.2f, vec3(1.0f), 0.9f};
     const vec3 path(1.0f, 0.0f, 0.0f);
     for (const Tool tool : kAllTools) {
         if (tool == Tool::mask) continue;

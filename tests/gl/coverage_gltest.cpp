@@ -36,7 +36,7 @@ std::vector<Line> hairsFromAbove(const Document& document) {
         const auto fur = [&](uint v) { return furToWorld(skin, v, document.groom.fur[v]); };
         const Strand s =
             growStrand(root, skin.vertices[t.x], skin.vertices[t.y], skin.vertices[t.z], fur(t.x),
-                       fur(t.y), fur(t.z), document.fur, 0.0f);
+                       fur(t.y), fur(t.z), document.fur, 0.0f, 0.0f);
         const vec3 tip = strandPoint(s, 1.0f);
         lines.push_back({vec2(s.origin.x, s.origin.z), vec2(tip.x, tip.z),
                          strandWidth(s, document.fur.over.taper, 0.5f)});

@@ -58,16 +58,18 @@ gl::ProgramName shaderOf(const std::string& type) {
 const std::vector<Field> kSkinVertex{FIELD(SkinVertex, position), FIELD(SkinVertex, segment),
                                      FIELD(SkinVertex, normal), FIELD(SkinVertex, frame)};
 const std::vector<Field> kFurVertex{FIELD(FurVertex, direction), FIELD(FurVertex, furLength),
-                                    FIELD(FurVertex, density),   FIELD(FurVertex, pad0),
-                                    FIELD(FurVertex, pad1),      FIELD(FurVertex, pad2)};
+                                    FIELD(FurVertex, tint),      FIELD(FurVertex, density)};
 const std::vector<Field> kRoot{FIELD(Root, triangle), FIELD(Root, bary), FIELD(Root, id),
-                               FIELD(Root, rank)};
+                               FIELD(Root, guide)};
 const std::vector<Field> kCoat{
     FIELD(Coat, ambient),       FIELD(Coat, stiffness),       FIELD(Coat, diffuse),
     FIELD(Coat, endRandomness), FIELD(Coat, specular),        FIELD(Coat, normalRandomness),
     FIELD(Coat, rootColor),     FIELD(Coat, directionWeight), FIELD(Coat, tipColor),
     FIELD(Coat, shininess),     FIELD(Coat, colorNoise),      FIELD(Coat, width),
-    FIELD(Coat, taper),         FIELD(Coat, relativeLength)};
+    FIELD(Coat, taper),         FIELD(Coat, relativeLength),  FIELD(Coat, style),
+    FIELD(Coat, clump),         FIELD(Coat, clumpSize),       FIELD(Coat, clumpShape),
+    FIELD(Coat, curlRadius),    FIELD(Coat, curlTurns),       FIELD(Coat, frizz),
+    FIELD(Coat, frizzWaves)};
 const std::vector<Field> kFur{FIELD(Fur, over.ambient),
                               FIELD(Fur, over.stiffness),
                               FIELD(Fur, over.diffuse),
@@ -82,6 +84,14 @@ const std::vector<Field> kFur{FIELD(Fur, over.ambient),
                               FIELD(Fur, over.width),
                               FIELD(Fur, over.taper),
                               FIELD(Fur, over.relativeLength),
+                              FIELD(Fur, over.style),
+                              FIELD(Fur, over.clump),
+                              FIELD(Fur, over.clumpSize),
+                              FIELD(Fur, over.clumpShape),
+                              FIELD(Fur, over.curlRadius),
+                              FIELD(Fur, over.curlTurns),
+                              FIELD(Fur, over.frizz),
+                              FIELD(Fur, over.frizzWaves),
                               FIELD(Fur, under.ambient),
                               FIELD(Fur, under.stiffness),
                               FIELD(Fur, under.diffuse),
@@ -96,18 +106,36 @@ const std::vector<Field> kFur{FIELD(Fur, over.ambient),
                               FIELD(Fur, under.width),
                               FIELD(Fur, under.taper),
                               FIELD(Fur, under.relativeLength),
+                              FIELD(Fur, under.style),
+                              FIELD(Fur, under.clump),
+                              FIELD(Fur, under.clumpSize),
+                              FIELD(Fur, under.clumpShape),
+                              FIELD(Fur, under.curlRadius),
+                              FIELD(Fur, under.curlTurns),
+                              FIELD(Fur, under.frizz),
+                              FIELD(Fur, under.frizzWaves),
                               FIELD(Fur, gravityDirection),
                               FIELD(Fur, gravity),
                               FIELD(Fur, share),
                               FIELD(Fur, hairs),
                               FIELD(Fur, seed),
-                              FIELD(Fur, pad0)};
+                              FIELD(Fur, windDirection),
+                              FIELD(Fur, wind),
+                              FIELD(Fur, gusts),
+                              FIELD(Fur, gustRate),
+                              FIELD(Fur, gustSize),
+                              FIELD(Fur, pad0),
+                              FIELD(Fur, pad1)};
 const std::vector<Field> kStrand{
     FIELD(Strand, origin),   FIELD(Strand, spineLength), FIELD(Strand, weightless),
     FIELD(Strand, width),    FIELD(Strand, end),         FIELD(Strand, scale),
     FIELD(Strand, binormal), FIELD(Strand, cosTwist),    FIELD(Strand, normal),
     FIELD(Strand, tone),     FIELD(Strand, coat),        FIELD(Strand, keep),
-    FIELD(Strand, sinTwist), FIELD(Strand, pad0)};
+    FIELD(Strand, sinTwist), FIELD(Strand, id),
+    FIELD(Strand, guideOffset), FIELD(Strand, clump), FIELD(Strand, guideWeightless),
+    FIELD(Strand, clumpShape), FIELD(Strand, guideEnd), FIELD(Strand, curl),
+    FIELD(Strand, curlTurns), FIELD(Strand, frizz), FIELD(Strand, frizzWaves),
+    FIELD(Strand, style)};
 const std::vector<Field> kLight{FIELD(Light, toKey), FIELD(Light, key),    FIELD(Light, sky),
                                 FIELD(Light, pad0),  FIELD(Light, ground), FIELD(Light, pad1)};
 
@@ -140,14 +168,16 @@ TEST(Layout, BuffersOfTheStrandPassLieAsTheDriverReadsThem) {
         std::size_t size;
         std::vector<Field> fields;
     } blocks[] = {
-        {"Jobs",
-         "jobs",
-         sizeof(StrandPlan::Job),
-         {FIELD(StrandPlan::Job, first), FIELD(StrandPlan::Job, count), FIELD(StrandPlan::Job, lod),
-          FIELD(StrandPlan::Job, fade), FIELD(StrandPlan::Job, seen),
-          Field{"pad0", offsetof(StrandPlan::Job, pad)},
-          Field{"pad1", offsetof(StrandPlan::Job, pad) + 4},
-          Field{"pad2", offsetof(StrandPlan::Job, pad) + 8}}},
+        {"Runs",
+         "runs",
+         sizeof(StrandPlan::Run),
+         {FIELD(StrandPlan::Run, first), FIELD(StrandPlan::Run, begin), FIELD(StrandPlan::Run, end),
+          FIELD(StrandPlan::Run, lod), FIELD(StrandPlan::Run, fade), FIELD(StrandPlan::Run, phase),
+          FIELD(StrandPlan::Run, step), Field{"pad0", offsetof(StrandPlan::Run, pad)}}},
+        {"Groups",
+         "groups",
+         sizeof(StrandPlan::Group),
+         {FIELD(StrandPlan::Group, run), FIELD(StrandPlan::Group, seen)}},
         {"Materials",
          "materials",
          sizeof(MaterialData),
@@ -199,7 +229,10 @@ TEST(Layout, UniformBlocksLieAsTheDriverReadsThem) {
                     FIELD(FrameData, hairsPerArea),
                     FIELD(FrameData, coats),
                     FIELD(FrameData, textured),
-                    FIELD(FrameData, jobs)});
+                    FIELD(FrameData, hairs),
+                    FIELD(FrameData, seconds),
+                    FIELD(FrameData, tolerance),
+                    FIELD(FrameData, sides)});
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ Document turnedDocument() {
     test::Draws draws(1);
     for (uint v = 0; v < document.skin->vertices.size(); ++v) {
         document.groom.fur.edit(v) = {
-            draws.inBox(0.5f), draws.in(0.0f, 0.1f), draws.in(0.0f, 1.0f), 0, 0, 0};
+            draws.inBox(0.5f), draws.in(0.0f, 0.1f), vec3(1.0f), draws.in(0.0f, 1.0f)};
         document.groom.mask.edit(v) = draws.in(0.0f, 1.0f);
     }
     return document;

@@ -24,6 +24,7 @@ namespace {
 constexpr uint kHairs = 8192;  // of each fur
 constexpr std::array<float, 4> kPlaces{0.0f, 0.3f, 0.7f, 1.0f};
 constexpr float kAutoWidth = 1e-4f;
+constexpr float kSeconds = 1.7f;  // of wind
 
 struct Result {  // as in the shader below
     Strand strand;
@@ -39,6 +40,7 @@ struct Result {
     uint hash; uint id; uint over; uint pad;
     vec4 weights;
 };
+const float kSeconds = 1.7;
 layout(local_size_x = 64) in;
 layout(std140, binding = 1) uniform FurBlock { Fur fur; };
 layout(std430, binding = 0) readonly buffer A { SkinVertex skinVertices[]; };
@@ -55,9 +57,16 @@ void main() {
     uvec4 t = triangles[root.triangle];
     FurVertex fa = furVertices[t.x];
     Strand s = growStrand(root, skinVertices[t.x], skinVertices[t.y], skinVertices[t.z], fa,
-                          furVertices[t.y], furVertices[t.z], fur, 1e-4);
+                          furVertices[t.y], furVertices[t.z], fur, 1e-4, kSeconds);
     Coat coat = fur.under;
     if (s.coat == 0u) coat = fur.over;
+    if (coat.clump > 0.0) {
+        Root of = roots[root.guide];
+        uvec3 g = triangles[of.triangle].xyz;
+        s = gatherStrand(s, growStrand(of, skinVertices[g.x], skinVertices[g.y], skinVertices[g.z],
+                                       furVertices[g.x], furVertices[g.y], furVertices[g.z], fur,
+                                       1e-4, kSeconds), coat);
+    }
     float places[4] = float[4](0.0, 0.3, 0.7, 1.0);
     for (int k = 0; k < 4; ++k) {
         float at = places[k];
@@ -101,7 +110,7 @@ Scene randomScene(uint seed) {
         if (kind == 0) v.normal = vec3(0.0f);
         if (kind == 1) v.normal = glm::normalize(draws.inBox(1.0f) + vec3(0.0f, 0.01f, 0.0f));
         scene.skin.push_back(v);
-        FurVertex f{draws.inBox(1.0f), draws.in(0.0f, 0.1f), draws.in(0.0f, 1.0f), 0, 0, 0};
+        FurVertex f{draws.inBox(1.0f), draws.in(0.0f, 0.1f), vec3(1.0f), draws.in(0.0f, 1.0f)};
         if (draws.below(64) == 0) f.direction = vec3(hard(), hard(), hard());
         if (draws.below(64) == 0) f.furLength = hard();
         if (draws.below(64) == 0) f.density = hard();
@@ -112,13 +121,14 @@ Scene randomScene(uint seed) {
     for (uint i = 0; i < kHairs; ++i) {
         const uint triangle = draws.below(static_cast<uint>(scene.triangles.size()));
         const uint a = draws.below(65536), b = draws.below(65536 - a);
-        scene.roots.push_back({triangle, a | (b << 16u), pcg(seed ^ pcg(i)), draws.in(0.0f, 1.0f)});
+        scene.roots.push_back({triangle, a | (b << 16u), pcg(seed ^ pcg(i)), draws.below(i + 1)});
     }
     return scene;
 }
 
-// Every parameter at random in its range, every fourth at an end of it.
-Fur randomFur(uint seed) {
+// Every parameter at random in its range, every fourth at an end of it. Without `shaped` hair is its
+// spine.
+Fur randomFur(uint seed, bool shaped) {
     test::Draws draws(seed);
     Fur fur = defaultFur();
     const auto value = [&](const Parameter& row) {
@@ -136,6 +146,8 @@ Fur randomFur(uint seed) {
         setParameter(fur.under, row, value(row));
     }
     for (const Parameter& row : furParameters()) setParameter(fur, row, value(row));
+    if (!shaped)
+        for (Coat* coat : {&fur.over, &fur.under}) coat->clump = coat->curlRadius = coat->frizz = 0.0f;
     return fur;
 }
 
@@ -149,13 +161,18 @@ Light testLight() {
 }
 
 Result onCpu(const Scene& scene, const Fur& fur, const Light& light, uint i) {
+    const auto grow = [&](const Root& root) {
+        const glm::uvec4 t = scene.triangles[root.triangle];
+        return growStrand(root, scene.skin[t.x], scene.skin[t.y], scene.skin[t.z], scene.fur[t.x],
+                          scene.fur[t.y], scene.fur[t.z], fur, kAutoWidth, kSeconds);
+    };
     const Root& root = scene.roots[i];
-    const glm::uvec4 t = scene.triangles[root.triangle];
     Result r{};
-    r.strand = growStrand(root, scene.skin[t.x], scene.skin[t.y], scene.skin[t.z], scene.fur[t.x],
-                          scene.fur[t.y], scene.fur[t.z], fur, kAutoWidth);
+    r.strand = grow(root);
+    const Coat& coat = r.strand.coat == 0 ? fur.over : fur.under;
+    if (coat.clump > 0.0f)
+        r.strand = gatherStrand(r.strand, grow(scene.roots[root.guide]), coat);
     const Strand& s = r.strand;
-    const Coat& coat = s.coat == 0 ? fur.over : fur.under;
     for (std::size_t k = 0; k < 4; ++k) {
         const float at = kPlaces[k];
         const vec3 tangent = strandTangent(s, at);
@@ -198,6 +215,16 @@ bool finite(const vec4& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
 }
 
+// m by which the points of a hair may differ. Sines of many turns, powers and what a guide far away
+// adds differ more; and the plane in which a nearly straight hair curls is known badly.
+float allowedOf(const Strand& s) {
+    if (!isShaped(s)) return 1e-6f * s.spineLength + 1e-6f;
+    const float size =
+        s.spineLength + glm::length(s.guideOffset) + glm::length(s.guideWeightless);
+    const float bend = std::max(glm::distance(s.weightless, s.end), 1e-6f);
+    return 2e-5f * size + 1e-6f + 2e-6f * (s.curl + s.frizz) / bend;
+}
+
 // The largest differences over all hairs.
 struct Differences {
     double point = 0.0;  // share of what is allowed
@@ -213,7 +240,7 @@ struct Differences {
                      bits(gpu.strand.keep) != bits(cpu.strand.keep) ||
                      bits(gpu.weights.w) != bits(cpu.weights.w) || gpu.weights != cpu.weights ||
                      (gpu.strand.spineLength > 0.0f) != (cpu.strand.spineLength > 0.0f);
-        const float allowed = 1e-6f * cpu.strand.spineLength + 1e-6f;
+        const float allowed = allowedOf(cpu.strand);
         double worst = 0.0;
         for (std::size_t k = 0; k < 4; ++k) {
             for (const Result* r : {&gpu, &cpu})
@@ -238,14 +265,14 @@ struct Differences {
     }
 };
 
-TEST(Parity, GpuAndCpuAgreeAboutEveryHair) {
+Differences differences(bool shaped) {
     const gl::ProgramName program = test::computeProgram(
         test::shaderHead({"types.glsl", "strand.glsl", "fiber.glsl"}) + kShader);
     const Light light = testLight();
     Differences d;
     for (uint seed = 1; seed <= 12; ++seed) {
         const Scene scene = randomScene(seed);
-        const Fur fur = randomFur(seed);
+        const Fur fur = randomFur(seed, shaped);
         const std::vector<Result> gpu = onGpu(program, scene, fur, light);
         for (uint i = 0; i < kHairs; ++i) d.compare(gpu[i], onCpu(scene, fur, light, i));
     }
@@ -258,10 +285,17 @@ TEST(Parity, GpuAndCpuAgreeAboutEveryHair) {
     EXPECT_EQ(d.decisions, 0u);
     EXPECT_EQ(d.notFinite, 0u);
     EXPECT_LE(d.point, 1.0);
+    EXPECT_LE(d.depth, 1e-5);
+    return d;
+}
+
+TEST(Parity, GpuAndCpuAgreeAboutEveryHair) {
+    const Differences d = differences(false);
     EXPECT_LE(d.tangent, 1e-5);
     EXPECT_LE(d.color, 2e-3);
-    EXPECT_LE(d.depth, 1e-5);
 }
+
+TEST(Parity, GpuAndCpuAgreeAboutClumpsCurlsAndFrizz) { differences(true); }
 
 }  // namespace
 }  // namespace pelage

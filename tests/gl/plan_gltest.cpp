@@ -91,7 +91,7 @@ TEST(Plan, ClustersOutsideTheViewAreLeftOut) {
     }
 }
 
-TEST(Plan, JobsCoverThePrefixOfEveryClusterOnce) {
+TEST(Plan, RunsCoverThePrefixOfEveryClusterOnce) {
     Roots roots = oneCluster();
     Cluster second = roots.clusters[0];
     roots.clusters[0].count = 60000;
@@ -100,22 +100,34 @@ TEST(Plan, JobsCoverThePrefixOfEveryClusterOnce) {
     second.center = vec3(0.1f, 0.0f, 0.0f);
     roots.clusters.push_back(second);
     const StrandPlan plan = planStrands(roots, frameAt(1.0f), kWidth, 0.0f, 0.3f, false);
-    std::size_t hairs = 0;
-    std::vector<uint> next{0, 60000};
-    for (const StrandPlan::Job& job : plan.jobs) {
-        const std::size_t cluster = job.first >= 60000;
-        EXPECT_EQ(job.first, next[cluster]);
-        EXPECT_TRUE(job.count >= 1 && job.count <= 32);
-        EXPECT_FLOAT_EQ(job.lod, 0.3f);
-        EXPECT_GE(job.fade, job.lod);
-        next[cluster] = job.first + job.count;
-        hairs += job.count;
+    ASSERT_EQ(plan.runs.size(), 2u);
+    uint next = 0;
+    for (std::size_t r = 0; r < 2; ++r) {
+        const StrandPlan::Run& run = plan.runs[r];
+        const Cluster& cluster = roots.clusters[r];
+        EXPECT_EQ(run.first, cluster.first);
+        EXPECT_EQ(run.begin, next);
+        EXPECT_FLOAT_EQ(run.lod, 0.3f);
+        EXPECT_GE(run.fade, run.lod);
+        EXPECT_EQ(run.phase, cluster.phase);
+        // Up to the rank at which a hair has faded out, and not much more.
+        const float wanted = run.fade * static_cast<float>(cluster.count);
+        EXPECT_EQ(run.end - run.begin, static_cast<uint>(std::ceil(wanted)));
+        next = run.end;
     }
-    EXPECT_EQ(hairs, plan.hairs);
-    // Up to the rank at which a hair has faded out, and not much more.
-    const float fade = plan.jobs.front().fade;
-    EXPECT_EQ(next[0], static_cast<uint>(std::ceil(fade * 60000.0f)));
-    EXPECT_EQ(next[1], 60000 + static_cast<uint>(std::ceil(fade * 40000.0f)));
+    EXPECT_EQ(next, plan.hairs);
+}
+
+TEST(Plan, GroupsAreFullHoweverFewHairsAClusterGives) {
+    Roots roots;
+    for (uint c = 0; c < 1000; ++c) roots.clusters.push_back({.first = 40 * c, .count = 40});
+    const StrandPlan plan = planStrands(roots, frameAt(1.0f), kWidth, 0.0f, 0.05f, false);
+    ASSERT_EQ(plan.runs.size(), 1000u);
+    EXPECT_EQ(plan.groups.size(), (plan.hairs + 31) / 32);
+    for (uint g = 0; g < plan.groups.size(); ++g) {
+        const StrandPlan::Run& run = plan.runs[plan.groups[g].run];
+        EXPECT_TRUE(run.begin <= 32 * g && 32 * g < run.end) << g;
+    }
 }
 
 // The text of a function of a shipped shader.
@@ -151,7 +163,7 @@ TEST(Plan, ThinningKeepsTheSumOfTheWidths) {
     for (const float share : {0.01f, 0.02f, 0.1f, 0.3f, 0.5f, 0.7f, 0.83f, 0.9f, 0.99f, 1.0f}) {
         const StrandPlan plan =
             planStrands(oneCluster(), frameAt(1.0f), kWidth, 0.0f, share, false);
-        levels.emplace_back(plan.jobs.front().lod, plan.jobs.front().fade);
+        levels.emplace_back(plan.runs.front().lod, plan.runs.front().fade);
     }
     const gl::Buffer from = test::bufferOf(levels);
     gl::Buffer into;

@@ -158,23 +158,23 @@ TEST(Renderer, DensityZeroDrawsNoHair) {
     Document document = furryBall(2000);
     View view = ballView(document, 32);
     Renderer renderer;
-    document.groom = test::evenGroom(*document.skin, {vec3(0.0f), 0.1f, 1.0f, 0, 0, 0});
+    document.groom = test::evenGroom(*document.skin, {vec3(0.0f), 0.1f, vec3(1.0f), 1.0f});
     const std::size_t full = renderer.draw(document, view).hairsDrawn;
-    document.groom = test::evenGroom(*document.skin, {vec3(0.0f), 0.1f, 0.5f, 0, 0, 0});
+    document.groom = test::evenGroom(*document.skin, {vec3(0.0f), 0.1f, vec3(1.0f), 0.5f});
     const double half = static_cast<double>(renderer.draw(document, view).hairsDrawn);
     EXPECT_NEAR(half / static_cast<double>(full), 0.5, 0.05);
-    document.groom = test::evenGroom(*document.skin, {vec3(0.0f), 0.1f, 0.0f, 0, 0, 0});
+    document.groom = test::evenGroom(*document.skin, {vec3(0.0f), 0.1f, vec3(1.0f), 0.0f});
     EXPECT_EQ(renderer.draw(document, view).hairsDrawn, 0u);
     const Pixels bald = renderer.pixels();
     // Nor does length 0, and the bare skin is lit as if there was no fur.
-    document.groom = test::evenGroom(*document.skin, {vec3(0.0f), 0.0f, 1.0f, 0, 0, 0});
+    document.groom = test::evenGroom(*document.skin, {vec3(0.0f), 0.0f, vec3(1.0f), 1.0f});
     EXPECT_EQ(renderer.draw(document, view).hairsDrawn, 0u);
     EXPECT_EQ(renderer.pixels(), bald);
 }
 
 TEST(Renderer, OverlaysChangeThePicture) {
     Document document = furryBall(1000);
-    document.groom = test::evenGroom(*document.skin, {vec3(0.0f), 0.1f, 0.5f, 0, 0, 0});
+    document.groom = test::evenGroom(*document.skin, {vec3(0.0f), 0.1f, vec3(1.0f), 0.5f});
     View view = ballView(document, 32);
     Renderer renderer;
     std::vector<Pixels> pictures;
@@ -200,7 +200,7 @@ vec3 meanColor(const Pixels& pixels, ivec2 size, ivec2 from, ivec2 to) {
 
 TEST(Renderer, LinesOutsideTheFurAreDrawn) {
     Document document = furryBall(0);
-    document.groom = test::evenGroom(*document.skin, {vec3(0.0f), 0.0f, 1.0f, 0, 0, 0});
+    document.groom = test::evenGroom(*document.skin, {vec3(0.0f), 0.0f, vec3(1.0f), 1.0f});
     View view = ballView(document, 64);
     Renderer renderer;
     const Pixels bare = picture(renderer, document, view);
@@ -286,7 +286,7 @@ TEST(Renderer, SmallDocumentsAreDrawn) {
     for (const auto& c : cases) {
         SCOPED_TRACE(c.name);
         Document document = test::evenDocument(test::oneMesh(corners, c.triangles));
-        document.groom = test::evenGroom(*document.skin, {vec3(0.0f), 0.1f, 1.0f, 0, 0, 0});
+        document.groom = test::evenGroom(*document.skin, {vec3(0.0f), 0.1f, vec3(1.0f), 1.0f});
         document.fur.hairs = c.hairs;
         View view = ballView(document, 48);
         view.samples = 2;
@@ -370,7 +370,7 @@ TEST(Renderer, NothingPerHairIsStoredButItsRoot) {
     renderer.draw(many, view);
     EXPECT_EQ(renderer.bytesPerHair(), 16u);
     const double perHair = static_cast<double>(renderer.bytes() - before) / 100000.0;
-    EXPECT_NEAR(perHair, 16.0, 2.0);  // the rest are jobs, 32 hairs each
+    EXPECT_NEAR(perHair, 16.0, 2.0);  // the rest is the plan of the frame
 }
 
 }  // namespace
