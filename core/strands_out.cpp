@@ -4,8 +4,8 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
 #include <cassert>
+#include <numeric>
 
 namespace pelage {
 
@@ -20,12 +20,59 @@ namespace {
 
 namespace {
 
-// The points of a hair, root first. What is not shaped is known to be its spine.
-void trace(const Strand& s, bool shaped, uint points, vec3* out) {
+// A document on its way to curves.
+struct Growth {
+    const Skin& skin;
+    const Fur& fur;
+    const Roots& roots;
+    std::vector<FurVertex> painted;  // in the world
+    float overWidth, underWidth;     // m, where the coats leave theirs open
+    float seconds;
+};
+
+bool grows(const Growth& growth, const Cluster& cluster, uint k) {
+    const Root& root = growth.roots.roots[cluster.first + k];
+    const uvec3 t = growth.skin.triangles[root.triangle];
+    const FurVertex &a = growth.painted[t.x], &b = growth.painted[t.y], &c = growth.painted[t.z];
+    return cluster.rank(k) < keepAt(root, a.density, b.density, c.density) &&
+           lengthAt(root, a.furLength, b.furLength, c.furLength, growth.fur) > 0.0f;
+}
+
+Strand spine(const Growth& growth, const Root& root) {
+    const uvec3 t = growth.skin.triangles[root.triangle];
+    const auto& vertices = growth.skin.vertices;
+    return growStrand(
+        root, vertices[t.x], vertices[t.y], vertices[t.z], growth.painted[t.x], growth.painted[t.y],
+        growth.painted[t.z], growth.fur,
+        isOvercoat(root.id, growth.fur.share) ? growth.overWidth : growth.underWidth,
+        growth.seconds);
+}
+
+Strand gathered(const Growth& growth, uint i) {
+    const Root& root = growth.roots.roots[i];
+    const Strand s = spine(growth, root);
+    const Coat& coat = s.coat == 0 ? growth.fur.over : growth.fur.under;
+    if (!(coat.clump > 0.0f) || root.guide == i) return s;
+    return gatherStrand(s, spine(growth, growth.roots.roots[root.guide]), coat);
+}
+
+// The curves of a cluster from number `next` on. Coats that do not shape their hair have a function
+// of their own, in which the compiler sees that the spine is all there is.
+template <bool kShaped>
+void growCluster(const Growth& growth, const Cluster& cluster, std::size_t next, Curves& curves) {
+    const uint points = curves.pointsPerHair;
     const float step = 1.0f / static_cast<float>(points - 1);
-    for (uint p = 0; p < points; ++p) {
-        const float t = p + 1 < points ? static_cast<float>(p) * step : 1.0f;
-        out[p] = shaped ? strandPoint(s, t) : spinePoint(s, t);
+    for (uint k = 0; k < cluster.count; ++k) {
+        if (!grows(growth, cluster, k)) continue;
+        const uint i = cluster.first + k;
+        const Strand s = kShaped ? gathered(growth, i) : spine(growth, growth.roots.roots[i]);
+        curves.rootWidth[next] = s.width;
+        curves.root[next] = i;
+        vec3* out = &curves.points[next++ * points];
+        for (uint p = 0; p < points; ++p) {
+            const float t = p + 1 < points ? static_cast<float>(p) * step : 1.0f;
+            out[p] = kShaped ? strandPoint(s, t) : spinePoint(s, t);
+        }
     }
 }
 
@@ -35,67 +82,39 @@ Curves growCurves(const Document& document, const Roots& roots, uint segments, f
     assert(segments >= 1 && segments <= 64);
     const Skin& skin = *document.skin;
     const Fur& fur = document.fur;
-    const float overWidth = autoWidth(skin, fur.hairs, fur.over.taper);
-    const float underWidth = autoWidth(skin, fur.hairs, fur.under.taper);
-
-    std::vector<FurVertex> painted(skin.vertices.size());
-    tbb::parallel_for(tbb::blocked_range<uint>(0, static_cast<uint>(painted.size()), 4096),
+    Growth growth{skin,
+                  fur,
+                  roots,
+                  std::vector<FurVertex>(skin.vertices.size()),
+                  autoWidth(skin, fur.hairs, fur.over.taper),
+                  autoWidth(skin, fur.hairs, fur.under.taper),
+                  seconds};
+    tbb::parallel_for(tbb::blocked_range<uint>(0, static_cast<uint>(skin.vertices.size()), 4096),
                       [&](const auto& range) {
                           for (uint v = range.begin(); v < range.end(); ++v)
-                              painted[v] = furToWorld(skin, v, document.groom.fur[v]);
+                              growth.painted[v] = furToWorld(skin, v, document.groom.fur[v]);
                       });
-    const auto spine = [&](const Root& root) {
-        const uvec3 t = skin.triangles[root.triangle];
-        return growStrand(root, skin.vertices[t.x], skin.vertices[t.y], skin.vertices[t.z],
-                          painted[t.x], painted[t.y], painted[t.z], fur,
-                          isOvercoat(root.id, fur.share) ? overWidth : underWidth, seconds);
-    };
-    const auto grow = [&](std::size_t i) {
-        const Root& root = roots.roots[i];
-        Strand s = spine(root);
-        const Coat& coat = s.coat == 0 ? fur.over : fur.under;
-        if (coat.clump > 0.0f && root.guide != i)
-            s = gatherStrand(s, spine(roots.roots[root.guide]), coat);
-        return s;
-    };
-    const bool shaped = isShapedCoat(fur.over) || isShapedCoat(fur.under);
 
-    // Every hair has its place by its root; those that do not grow are squeezed out afterwards.
-    Curves curves;
-    const uint points = segments + 1;
-    const std::size_t count = roots.roots.size();
-    curves.pointsPerHair = points;
-    curves.points.resize(count * points);
-    curves.rootWidth.resize(count);
-    curves.root.resize(count);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, roots.clusters.size(), 4), [&](const auto& range) {
-        for (std::size_t c = range.begin(); c < range.end(); ++c) {
-            const Cluster& cluster = roots.clusters[c];
-            for (uint k = 0; k < cluster.count; ++k) {
-                const std::size_t i = cluster.first + k;
-                const Strand s = shaped ? grow(i) : spine(roots.roots[i]);
-                const bool grows = s.spineLength > 0.0f && cluster.rank(k) < s.keep;
-                curves.rootWidth[i] = grows ? s.width : -1.0f;
-                curves.root[i] = static_cast<uint>(i);
-                if (grows) trace(s, shaped, points, &curves.points[i * points]);
-            }
-        }
+    // First how many grow of each cluster, then the hairs, each at its place.
+    const tbb::blocked_range<std::size_t> clusters(0, roots.clusters.size(), 8);
+    std::vector<std::size_t> first(roots.clusters.size() + 1, 0);
+    tbb::parallel_for(clusters, [&](const auto& range) {
+        for (std::size_t c = range.begin(); c < range.end(); ++c)
+            for (uint k = 0; k < roots.clusters[c].count; ++k)
+                first[c + 1] += grows(growth, roots.clusters[c], k);
     });
-
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (curves.rootWidth[i] < 0.0f) continue;
-        if (kept != i) {
-            std::copy_n(curves.points.begin() + static_cast<std::ptrdiff_t>(i * points), points,
-                        curves.points.begin() + static_cast<std::ptrdiff_t>(kept * points));
-            curves.rootWidth[kept] = curves.rootWidth[i];
-            curves.root[kept] = curves.root[i];
-        }
-        ++kept;
-    }
-    curves.points.resize(kept * points);
-    curves.rootWidth.resize(kept);
-    curves.root.resize(kept);
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    Curves curves;
+    curves.pointsPerHair = segments + 1;
+    curves.points.resize(first.back() * curves.pointsPerHair);
+    curves.rootWidth.resize(first.back());
+    curves.root.resize(first.back());
+    const bool shaped = isShapedCoat(fur.over) || isShapedCoat(fur.under);
+    tbb::parallel_for(clusters, [&](const auto& range) {
+        for (std::size_t c = range.begin(); c < range.end(); ++c)
+            (shaped ? growCluster<true> : growCluster<false>)(growth, roots.clusters[c], first[c],
+                                                              curves);
+    });
     return curves;
 }
 

@@ -210,6 +210,21 @@ Strand gatherStrand(Strand s, Strand guide, Coat coat) {
 // A length that a hair may have; 0 for none, also for NaN.
 float sanitizedLength(float asked) { return asked > 1e-12f && asked <= 1e6f ? asked : 0.0f; }
 
+// Length of the hair of a root, m, 0 for none, where the corners of its triangle hold these lengths.
+float lengthAt(Root root, float a, float b, float c, Fur fur) {
+    vec3 k = baryWeights(root.bary);
+    float relative = isOvercoat(root.id, fur.share) ? fur.over.relativeLength
+                                                    : fur.under.relativeLength;
+    return sanitizedLength(sanitizedLength(k.x * a + k.y * b + k.z * c) * relative);
+}
+
+// Largest rank at which the hair of a root is drawn: the painted density there, in [0,1].
+float keepAt(Root root, float a, float b, float c) {
+    vec3 k = baryWeights(root.bary);
+    float painted = k.x * a + k.y * b + k.z * c;
+    return painted > 0.0f ? min(painted, 1.0f) : 0.0f;
+}
+
 // The hair that grows from a root on a triangle with these corners, not yet gathered to its guide.
 // Corners, painted values and gravity in the world; autoWidth (m) is used where the coat leaves its
 // width at 0; the wind blows as it does after so many seconds.
@@ -222,17 +237,15 @@ Strand growStrand(Root root, SkinVertex a, SkinVertex b, SkinVertex c, FurVertex
     vec3 sum = k.x * a.normal + k.y * b.normal + k.z * c.normal;
     vec3 n = dot(sum, sum) > 1e-6f ? safeUnit(sum, faceNormal) : faceNormal;
     vec3 painted = k.x * fa.direction + k.y * fb.direction + k.z * fc.direction;
-    float painted01 = k.x * fa.density + k.y * fb.density + k.z * fc.density;
-    float asked = k.x * fa.furLength + k.y * fb.furLength + k.z * fc.furLength;
 
     bool over = isOvercoat(root.id, fur.share);
     Coat coat = fur.under;
     if (over) coat = fur.over;
-    float own = sanitizedLength(sanitizedLength(asked) * coat.relativeLength);
+    float own = lengthAt(root, fa.furLength, fb.furLength, fc.furLength, fur);
     Strand s = bendStrand(position, n, painted, own, coat, root.id, pullAt(fur, position, seconds));
     s.width = coat.width > 0.0f ? coat.width : autoWidth;
     s.coat = over ? 0u : 1u;
-    s.keep = painted01 > 0.0f ? min(painted01, 1.0f) : 0.0f;
+    s.keep = keepAt(root, fa.density, fb.density, fc.density);
     return s;
 }
 
