@@ -59,12 +59,13 @@ Strand gathered(const Growth& growth, uint i) {
 // The curves of a cluster from number `next` on. Coats that do not shape their hair have a function
 // of their own, in which the compiler sees that the spine is all there is.
 template <bool kShaped>
-void growCluster(const Growth& growth, const Cluster& cluster, std::size_t next, Curves& curves) {
+void growCluster(const Growth& growth, const Cluster& cluster, const std::vector<char>& growing,
+                 std::size_t next, Curves& curves) {
     const uint points = curves.pointsPerHair;
     const float step = 1.0f / static_cast<float>(points - 1);
     for (uint k = 0; k < cluster.count; ++k) {
-        if (!grows(growth, cluster, k)) continue;
         const uint i = cluster.first + k;
+        if (!growing[i]) continue;
         const Strand s = kShaped ? gathered(growth, i) : spine(growth, growth.roots.roots[i]);
         curves.rootWidth[next] = s.width;
         curves.root[next] = i;
@@ -95,13 +96,18 @@ Curves growCurves(const Document& document, const Roots& roots, uint segments, f
                               growth.painted[v] = furToWorld(skin, v, document.groom.fur[v]);
                       });
 
-    // First how many grow of each cluster, then the hairs, each at its place.
+    // First which of them grow and how many of each cluster, then the hairs, each at its place.
     const tbb::blocked_range<std::size_t> clusters(0, roots.clusters.size(), 8);
+    std::vector<char> growing(roots.roots.size());
     std::vector<std::size_t> first(roots.clusters.size() + 1, 0);
     tbb::parallel_for(clusters, [&](const auto& range) {
-        for (std::size_t c = range.begin(); c < range.end(); ++c)
-            for (uint k = 0; k < roots.clusters[c].count; ++k)
-                first[c + 1] += grows(growth, roots.clusters[c], k);
+        for (std::size_t c = range.begin(); c < range.end(); ++c) {
+            const Cluster& cluster = roots.clusters[c];
+            for (uint k = 0; k < cluster.count; ++k) {
+                growing[cluster.first + k] = grows(growth, cluster, k);
+                first[c + 1] += static_cast<std::size_t>(growing[cluster.first + k]);
+            }
+        }
     });
     std::partial_sum(first.begin(), first.end(), first.begin());
     Curves curves;
@@ -112,8 +118,8 @@ Curves growCurves(const Document& document, const Roots& roots, uint segments, f
     const bool shaped = isShapedCoat(fur.over) || isShapedCoat(fur.under);
     tbb::parallel_for(clusters, [&](const auto& range) {
         for (std::size_t c = range.begin(); c < range.end(); ++c)
-            (shaped ? growCluster<true> : growCluster<false>)(growth, roots.clusters[c], first[c],
-                                                              curves);
+            (shaped ? growCluster<true> : growCluster<false>)(growth, roots.clusters[c], growing,
+                                                              first[c], curves);
     });
     return curves;
 }

@@ -37,6 +37,9 @@ bool finite3(vec3 v) { return finite1(v.x) && finite1(v.y) && finite1(v.z); }
 
 // v as a unit vector; `fallback` where v has no direction: zero, tiny, infinite or NaN.
 vec3 safeUnit(vec3 v, vec3 fallback) {
+    float square = dot(v, v);
+    // Between 2^-66 and 2^62 nothing under- or overflows; NaN is not among the bits in between.
+    if (floatBitsToUint(square) - 0x1e800000u < 0x40000000u) return v * (1.0f / sqrt(square));
     if (!finite3(v)) return fallback;
     float a = max(abs(v.x), max(abs(v.y), abs(v.z)));
     if (!(a > 1e-30f)) return fallback;
@@ -155,8 +158,9 @@ Strand bendStrand(vec3 root, vec3 n, vec3 painted, float spineLength, Coat coat,
     float floppiness = min(max(1.0f - coat.stiffness, 0.02f), 1.0f);
     float load = floppiness * c;
 
-    vec3 across = finite3(painted) ? painted - dot(painted, n) * n : vec3(0.0f, 0.0f, 0.0f);
-    vec3 tangent = dot(across, across) > 1e-6f ? safeUnit(across, anyTangent(n)) : anyTangent(n);
+    vec3 tangent = painted - dot(painted, n) * n;
+    if (!finite3(tangent) || !(dot(tangent, tangent) > 1e-6f)) tangent = anyTangent(n);
+    tangent = safeUnit(tangent, n);
     vec3 end = safeUnit(w + load * (pull + (0.02f * sqrt(dot(pull, pull))) * tangent), tangent);
     if (coat.style == kStyleLine) w = end;
     float m = max(0.0f, 1.0f - dot(w, end));
@@ -232,10 +236,9 @@ Strand growStrand(Root root, SkinVertex a, SkinVertex b, SkinVertex c, FurVertex
                   FurVertex fc, Fur fur, float autoWidth, float seconds) {
     vec3 k = baryWeights(root.bary);
     vec3 position = k.x * a.position + k.y * b.position + k.z * c.position;
-    vec3 faceNormal = safeUnit(cross(b.position - a.position, c.position - a.position),
-                               vec3(0.0f, 1.0f, 0.0f));
-    vec3 sum = k.x * a.normal + k.y * b.normal + k.z * c.normal;
-    vec3 n = dot(sum, sum) > 1e-6f ? safeUnit(sum, faceNormal) : faceNormal;
+    vec3 n = k.x * a.normal + k.y * b.normal + k.z * c.normal;
+    if (!(dot(n, n) > 1e-6f)) n = cross(b.position - a.position, c.position - a.position);
+    n = safeUnit(n, vec3(0.0f, 1.0f, 0.0f));
     vec3 painted = k.x * fa.direction + k.y * fb.direction + k.z * fc.direction;
 
     bool over = isOvercoat(root.id, fur.share);
