@@ -44,19 +44,10 @@ uint reversedBits(uint x) {
     return x << 16 | x >> 16;
 }
 
-// Triangles along the Morton curve of the vertices, cut into runs of about equal expected hairs.
+// A stretch of Skin::spatialOrder that holds about so many hairs as others.
 struct Run {
     std::size_t first, end;  // into the order
 };
-
-std::vector<uint> spatialOrder(const Skin& skin) {
-    std::vector<uint> first(skin.vertices.size() + 1, 0);
-    for (const uvec3 t : skin.triangles) ++first[t.x + 1];
-    for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
-    std::vector<uint> order(skin.triangles.size());
-    for (uint t = 0; t < order.size(); ++t) order[first[skin.triangles[t].x]++] = t;
-    return order;
-}
 
 // A run must not jump across a gap of the curve, nor to the other side of an ear: a cluster is
 // culled by its ball and shares one level of detail.
@@ -69,7 +60,8 @@ std::vector<Run> cutRuns(const Skin& skin, const std::vector<uint>& order, doubl
     for (std::size_t i = 0; i < order.size(); ++i) {
         const uvec3 t = skin.triangles[order[i]];
         const SkinVertex& corner = skin.vertices[t.x];
-        const bool far = glm::distance(corner.position, start) > reach;
+        const vec3 away = corner.position - start;
+        const bool far = glm::dot(away, away) > reach * reach;
         const bool turned = glm::dot(corner.normal, axis) < 0.0f;
         if (i > begin && (expected >= kRootsPerCluster || far || turned)) {
             runs.push_back({begin, i});
@@ -151,7 +143,7 @@ Roots scatterRoots(const Skin& skin, uint hairs, uint seed) {
     Roots result;
     if (!(skin.area > 0.0) || hairs == 0) return result;
     const double hairsPerArea = hairs / skin.area;
-    const std::vector<uint> order = spatialOrder(skin);
+    const std::vector<uint>& order = skin.spatialOrder;
     const std::vector<Run> runs = cutRuns(skin, order, hairsPerArea);
 
     std::vector<uint> counts(skin.triangles.size());

@@ -177,6 +177,16 @@ void measureTriangles(Skin& skin) {
         static_cast<std::size_t>(std::count(used.begin(), used.end(), char(0)));
 }
 
+// Vertices are in Morton order already: counting those before is all it takes.
+std::vector<uint> orderByVertex(const Skin& skin) {
+    std::vector<uint> first(skin.vertices.size() + 1, 0);
+    for (const uvec3 t : skin.triangles) ++first[t.x + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<uint> order(skin.triangles.size());
+    for (uint t = 0; t < order.size(); ++t) order[first[skin.triangles[t].x]++] = t;
+    return order;
+}
+
 }  // namespace
 
 float Skin::size() const {
@@ -204,6 +214,7 @@ std::shared_ptr<const Skin> makeSkin(Source source, Progress* progress) {
     for (const uvec3 t : kept.triangles)
         skin->triangles.emplace_back(skin->weld[t.x], skin->weld[t.y], skin->weld[t.z]);
     measureTriangles(*skin);
+    skin->spatialOrder = orderByVertex(*skin);
     step(0.6f);
 
     Topology topology = makeTopology(skin->vertices.size(), skin->triangles);

@@ -38,6 +38,7 @@ struct Skin {
     std::vector<SkinVertex> vertices;
     std::vector<uvec3> triangles;   // skin vertices; in the order of the source file, none dropped
     std::vector<float> areas;       // m^2, one per triangle
+    std::vector<uint> spatialOrder;  // the triangles by their first vertex: neighbours are near
     double area = 0.0;              // m^2, of all triangles
     vec3 lower{0.0f}, upper{0.0f};  // bounds of the vertices that triangles use, m
     float radius = 0.0f;            // m, of the ball around center() that holds those vertices
