@@ -77,6 +77,10 @@ struct App {
     const Editor& editor() const { return *workspace.editor; }
     const Document& document() const { return workspace.editor->document(); }
     const Skin& skin() const { return *document().skin; }
+    // True while every frame differs from the one before.
+    bool windBlows() const {
+        return isOpen() && session.view.playWind && document().fur.wind > 0.0f;
+    }
     bool saved() const { return !isOpen() || (workspace.editor->saved() && !pending && !restored); }
 };
 

@@ -64,8 +64,10 @@ Layout layOut(App& app, float menu) {
 void drawPicture(App& app, Renderer& renderer, FrameKeys& keys, double now, bool events) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool held = ImGui::IsAnyItemActive() && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
-    if (std::exchange(app.touched, false) || held || !sameCamera(app.session.camera, keys.camera))
+    if (std::exchange(app.touched, false) || held || app.windBlows() ||
+        !sameCamera(app.session.camera, keys.camera))
         keys.changed = now;
+    if (app.windBlows()) app.session.view.windSeconds += io.DeltaTime;
     keys.camera = app.session.camera;
     const bool moving = now - keys.changed < kRest;
 
@@ -81,6 +83,7 @@ void drawPicture(App& app, Renderer& renderer, FrameKeys& keys, double now, bool
     view.showUnder = options.showUnder;
     view.segments = static_cast<uint>(options.segments);
     view.cullByDistance = options.cullByDistance;
+    view.seconds = options.windSeconds;
     view.share = options.share;
     view.budget = moving ? options.budget : 0.0f;
     view.samples = moving ? 1 : options.samples;

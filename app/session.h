@@ -17,6 +17,8 @@ struct ViewOptions {
     float share = 1.0f;     // upper bound of the share of the hairs, (0,1]
     float budget = 0.045f;  // s per frame while the hand moves
     int samples = 16;       // that the resting picture averages
+    bool playWind = false;
+    float windSeconds = 0.0f;  // how long the wind has blown
 };
 
 // A unit in which lengths of one animal are comfortable to read.

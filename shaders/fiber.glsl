@@ -1,4 +1,4 @@
-// fiber.glsl -- the look of a hair: how much light it sends to the eye. The only place that knows it.
+// fiber.glsl -- the look of a hair: how much light it sends to the eye. Nothing else knows it.
 // Same dialect as strand.glsl.
 
 // Integral of the width of a hair of root width 1 from t to the tip.
@@ -55,8 +55,8 @@ struct FiberLight {  // what is the same around a hair, whatever normal it is sh
     vec3 halfway;    // unit, between light and eye
 };
 
-// The light at t of a hair that runs along the unit `tangent` there; base is the color of the skin at
-// the root, depth the optical depth of the coat above (depthInCoat).
+// The light at t of a hair that runs along the unit `tangent` there; base is the color of the skin
+// at the root, depth the optical depth of the coat above (depthInCoat).
 FiberLight fiberLight(Strand s, Coat coat, Light light, vec3 base, float t, vec3 tangent,
                       vec3 toEye, float depth) {
     float sinL = sineBetween(tangent, light.toKey);

@@ -6,8 +6,8 @@
 // needed. A pixel belongs to a hair when its center lies inside the hair's outline: averaged over
 // sub-pixel offsets this is the exact coverage, also of hairs far thinner than a pixel.
 //
-// There is one program for each STYLE (kStyle... of types.glsl) with and without SHAPED hair (clumps,
-// curls, frizz), so that what a coat does not use costs nothing.
+// There is one program for each STYLE (kStyle... of types.glsl) with and without SHAPED hair
+// (clumps, curls, frizz), so that what a coat does not use costs nothing.
 #include "frame.glsl"
 #include "strand.glsl"
 #include "fiber.glsl"
@@ -201,7 +201,8 @@ void main() {
     if ((coatsHere & (over ? 1u : 2u)) == 0u) return;
     uvec4 t = triangles[root.triangle];
     vec3 weights = baryWeights(root.bary);
-    vec3 density = vec3(furVertices[t.x].density, furVertices[t.y].density, furVertices[t.z].density);
+    vec3 density =
+        vec3(furVertices[t.x].density, furVertices[t.y].density, furVertices[t.z].density);
     float keep = clamp(dot(weights, density), 0.0, 1.0);
     float rank = rankOf(number - run.begin, run.phase, run.step);
     if (!(rank < keep * run.fade)) return;
@@ -288,13 +289,15 @@ void main() {
 #else
     vec3 field = density;
     if (frame.overlay == 1u)
-        field = vec3(furVertices[t.x].furLength, furVertices[t.y].furLength, furVertices[t.z].furLength);
+        field = vec3(furVertices[t.x].furLength, furVertices[t.y].furLength,
+                     furVertices[t.z].furLength);
     if (frame.overlay == 4u) field = vec3(mask[t.x], mask[t.y], mask[t.z]);
     Look look;
     look.base = colorAtRoot(root, weights, field);
     look.eye = eye;
     look.perArea = frame.hairsPerArea * keep;
-    look.painted = s.spineLength / max(over ? fur.over.relativeLength : fur.under.relativeLength, 1e-6);
+    float relative = over ? fur.over.relativeLength : fur.under.relativeLength;
+    look.painted = s.spineLength / max(relative, 1e-6);
 #if STYLE == 2
     look.round = isRound;
 #else
@@ -342,8 +345,8 @@ void main() {
         int first = max(int(ceil(max(min(u0, u1), -1.0) - 0.5)), 0);
         int last = min(int(ceil(min(max(u0, u1), 1e6) - 0.5)), sizeU);
 #if STYLE == 2 || STYLE == 4
-        // The right of the hair lies towards growing v where it runs up, and against it where it runs
-        // to the right.
+        // The right of the hair lies towards growing v where it runs up, and against it where it
+        // runs to the right.
         float side = (lengthU < 0.0) == steep ? -1.0 : 1.0;
 #endif
 #if STYLE == 4
@@ -358,8 +361,8 @@ void main() {
 #endif
         for (uint band = 0u; band < bands; ++band) {
 #if STYLE == 4
-            // Corners run around the hair so that of a side that faces the eye the second lies to the
-            // right of the first.
+            // Corners run around the hair so that of a side that faces the eye the second lies to
+            // the right of the first.
             if (left[band + 1u] - left[band] + right[band + 1u] - right[band] <= 0.0) continue;
 #endif
             for (int u = first; u < last; ++u) {
@@ -377,7 +380,8 @@ void main() {
                 float edge1 = v + half_;
 #endif
 #if STYLE == 4
-                float near = 0.5 * mix(nearA[band] + nearA[band + 1u], nearB[band] + nearB[band + 1u], f);
+                float near = 0.5 * mix(nearA[band] + nearA[band + 1u],
+                                       nearB[band] + nearB[band + 1u], f);
                 z += zPerMetre * 0.5 * near * strandWidth(s, taper, (float(i) + f) * dt);
 #endif
                 if (!(z >= 0.0 && z <= 1.0)) continue;

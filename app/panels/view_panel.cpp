@@ -36,6 +36,9 @@ void drawView(App& app) {
     toggleRow(ui, "Fewer hairs far away", &view.cullByDistance,
               "The number of hairs falls with the distance (van Gelder and Wilhelms, 1997).");
 
+    toggleRow(ui, "Play wind", &view.playWind,
+              "The wind of the coat panel blows; the picture never rests.");
+
     caption(ui, "PICTURE");
     if (const auto samples =
             numberRow(ui, "Samples", static_cast<float>(view.samples),

@@ -230,8 +230,8 @@ void Renderer::Parts::drawSkin(const Canvas& canvas, const FrameData& frame, con
     if (view.showSkin) skinPass.draw(mirror);
 }
 
-StrandPlan Renderer::Parts::plan(const Document& document, const View& view,
-                                 const FrameData& frame, float share) const {
+StrandPlan Renderer::Parts::plan(const Document& document, const View& view, const FrameData& frame,
+                                 float share) const {
     const float over = document.fur.share;
     const float meanWidth = over * frame.overWidth + (1.0f - over) * frame.underWidth;
     return planStrands(mirror.roots(), frame, meanWidth, mirror.longestHair(), share,
@@ -250,8 +250,8 @@ std::size_t Renderer::Parts::drawStrands(const Canvas& canvas, const Document& d
     FrameData withHairs = frame;
     withHairs.hairs = strands.hairs;
     frameBlock.upload(std::span<const FrameData>(&withHairs, 1));
-    strandPass.draw(mirror, document.fur, withHairs, strands, frameBlock,
-                    canvas.color, canvas.depth);
+    strandPass.draw(mirror, document.fur, withHairs, strands, frameBlock, canvas.color,
+                    canvas.depth);
     if (view.budget > 0.0f) glFinish();
     return strands.hairs;
 }
@@ -282,8 +282,9 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
     if (p.samples < wanted) {
         const bool bounded = view.budget > 0.0f;
         FrameData frame = p.frameData(document, view, p.samples, p.fine.size);
-        p.blurred = bounded && p.fineCost.share(view.budget, p.plan(document, view, frame,
-                                                                    view.share).hairs) < kLeastSharp;
+        p.blurred = bounded &&
+                    p.fineCost.share(view.budget, p.plan(document, view, frame, view.share).hairs) <
+                        kLeastSharp;
         if (p.blurred) {
             p.coarse.resize((view.size + 1) / 2);
             frame = p.frameData(document, view, p.samples, p.coarse.size);

@@ -41,7 +41,8 @@ const StrandPass::Pair& StrandPass::programsOf(const Coat& coat) {
     Program color = Program::compute("strand_raster.comp", defines);
     defines.push_back("DEPTH_PASS");
     Program depth = Program::compute("strand_raster.comp", defines);
-    return programs_.emplace(std::pair(coat.style, shaped), Pair{std::move(depth), std::move(color)})
+    return programs_
+        .emplace(std::pair(coat.style, shaped), Pair{std::move(depth), std::move(color)})
         .first->second;
 }
 

@@ -12,14 +12,14 @@
 
 namespace pelage {
 
-// Which hairs a frame draws; chosen on the CPU before anything is shaped. Hairs are numbered through
-// all runs, so that groups of 32 are full however few hairs a cluster gives.
+// Which hairs a frame draws; chosen on the CPU before anything is shaped. Hairs are numbered
+// through all runs, so that groups of 32 are full however few hairs a cluster gives.
 struct StrandPlan {
-    struct Run {  // a prefix of a cluster of roots, as in shaders/strand_raster.comp
-        uint first = 0;             // into the roots
-        uint begin = 0, end = 0;    // numbers of its hairs, the last one excluded
-        float lod = 1.0f;           // share of the cluster's hairs that is drawn
-        float fade = 1.0f;          // rank at which a hair of density 1 has faded out, >= lod
+    struct Run {         // a prefix of a cluster of roots, as in shaders/strand_raster.comp
+        uint first = 0;  // into the roots
+        uint begin = 0, end = 0;          // numbers of its hairs, the last one excluded
+        float lod = 1.0f;                 // share of the cluster's hairs that is drawn
+        float fade = 1.0f;                // rank at which a hair of density 1 has faded out, >= lod
         float phase = 0.0f, step = 1.0f;  // of the ranks, see rankOf
         uint pad = 0;
     };

@@ -9,8 +9,8 @@ namespace pelage {
 namespace {
 
 constexpr std::size_t kGroupSize = 32;  // local_size_x of strand_raster.comp
-constexpr float kLeastShare = 0.01f;  // some hair is drawn at any distance
-constexpr float kFadeWindow = 0.4f;   // share of the level of detail over which hairs fade
+constexpr float kLeastShare = 0.01f;    // some hair is drawn at any distance
+constexpr float kFadeWindow = 0.4f;     // share of the level of detail over which hairs fade
 
 // Planes of the view volume, pointing inwards, normalised so that they measure metres. Gribb and
 // Hartmann, "Fast Extraction of Viewing Frustum Planes", 2001. The near plane is left out: a
@@ -24,9 +24,8 @@ std::array<vec4, 4> sidePlanes(const mat4& m) {
 }
 
 bool outside(const std::array<vec4, 4>& planes, vec3 center, float radius) {
-    return std::any_of(planes.begin(), planes.end(), [&](const vec4& p) {
-        return glm::dot(vec3(p), center) + p.w < -radius;
-    });
+    return std::any_of(planes.begin(), planes.end(),
+                       [&](const vec4& p) { return glm::dot(vec3(p), center) + p.w < -radius; });
 }
 
 }  // namespace
