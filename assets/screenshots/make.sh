@@ -19,9 +19,23 @@ if [ -f "$meshes/Fox.glb" ]; then
     picture fox.png --yaw 50 --pitch 10 -- "$meshes/Fox.glb"
 fi
 
+# The paper's figures 4 to 10 as the golden pictures have them, and its figure 8 on another mesh.
+sheet=$(mktemp -d)
+trap 'rm -rf "$sheet"' EXIT
+if [ -f "$meshes/suzanne.obj" ]; then
+    for style in line polyline ribbon nurbs-curve nurbs-surface; do
+        "$program" render --size 256x256 --samples 16 --repeat 1 --yaw 25 --pitch 8 \
+            --preset "monkey 9" --technique "$style" -o "$sheet/suzanne-$style.png" \
+            -- "$meshes/suzanne.obj" >"$sheet/log"
+    done
+    font=$(find /usr/share/fonts -iname Roboto-Regular.ttf | head -1)
+    montage ${font:+-font "$font"} -label '%t' ../../tests/golden/paper-*.png "$sheet"/suzanne-*.png -tile 6x \
+        -geometry 200x200+2+2 -background white -quality 90 paper.jpg
+fi
+
 # The real window, on a display of its own.
 export XDG_STATE_HOME=$(mktemp -d) XDG_CONFIG_HOME=$(mktemp -d)
-trap 'rm -rf "$XDG_STATE_HOME" "$XDG_CONFIG_HOME"' EXIT
+trap 'rm -rf "$sheet" "$XDG_STATE_HOME" "$XDG_CONFIG_HOME"' EXIT
 xvfb-run -a -s "-screen 0 1280x720x24" bash -c '
     "$1" &
     editor=$!
