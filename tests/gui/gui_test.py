@@ -4,6 +4,7 @@
 # gui_test.py [-v] PELAGE MESHES OUT: the program, the folder of shared meshes (the built-in animal
 # is used without it), and a folder for screenshots. What the editor did is read from its trace
 # (PELAGE_TRACE=1); what it wrote is compared with the same lines run by the command line.
+import hashlib
 import json
 import os
 import queue
@@ -251,9 +252,8 @@ class EditorInAWindow(unittest.TestCase):
         self.assertEqual(again.journals(), [])
         subprocess.run([PELAGE, "export", self.mesh, "-o", self.path("untouched.glb")], check=True,
                        stdout=subprocess.DEVNULL)
-        self.assertEqual(self.info(saved)["fields"], self.info(self.path("untouched.glb"))["fields"])
-        self.assertNotEqual(self.info(saved)["fields"],
-                            self.info(self.path("saved.glb"))["fields"])
+        self.assertEqual(self.fur(saved), self.fur(self.path("untouched.glb")))
+        self.assertNotEqual(self.fur(saved), self.fur(self.path("saved.glb")))
 
     def restore(self, killed):
         """Kills the editor and takes up its work in another one."""
@@ -266,12 +266,19 @@ class EditorInAWindow(unittest.TestCase):
         again.expect("restored")
         return again
 
-    def fields(self, path):
-        return self.info(path)["fields"]
+    def fur(self, path):
+        """All of the fur in a file: its bytes after two exports, which carry the rest unchanged."""
+        for name in ("once.glb", "twice.glb"):
+            subprocess.run([PELAGE, "export", path, "-o", self.path(name)], check=True,
+                           stdout=subprocess.DEVNULL)
+            path = self.path(name)
+        with open(path, "rb") as file:
+            return hashlib.sha256(file.read()).hexdigest()
 
     def stroke(self, editor):
+        """With whatever brush: right after a dialog the key of one may have gone to the dialog."""
         editor.drag()
-        editor.expect("commit Length")
+        editor.expect("commit")
 
     def test_steps_from_before_saving_are_kept_both_ways(self):
         editor = self.start(self.mesh)
@@ -287,7 +294,7 @@ class EditorInAWindow(unittest.TestCase):
         none = again.save(self.path("none.glb"))
         subprocess.run([PELAGE, "export", self.mesh, "-o", self.path("untouched.glb")], check=True,
                        stdout=subprocess.DEVNULL)
-        self.assertEqual(self.fields(none), self.fields(self.path("untouched.glb")))
+        self.assertEqual(self.fur(none), self.fur(self.path("untouched.glb")))
 
         time.sleep(2)  # until keys reach the tools again
         again.key("l")
@@ -304,8 +311,8 @@ class EditorInAWindow(unittest.TestCase):
         redone = last.save(self.path("redone.glb"))
         self.assertEqual(last.close(), 0)
         self.assertEqual(last.journals(), [])
-        self.assertEqual(self.fields(redone), self.fields(self.path("one.glb")))
-        self.assertNotEqual(self.fields(redone), self.fields(none))
+        self.assertEqual(self.fur(redone), self.fur(self.path("one.glb")))
+        self.assertNotEqual(self.fur(redone), self.fur(none))
 
     def test_exporting_over_the_open_file_does_not_make_its_steps_twice(self):
         path = self.path("open.glb")
@@ -315,7 +322,7 @@ class EditorInAWindow(unittest.TestCase):
         editor.ready()
         editor.key("l")
         self.stroke(editor)
-        before = self.fields(path)
+        before = self.fur(path)
         editor.answer("ctrl+e", path)
         time.sleep(1)
         editor.key("Return")  # yes, replace it
@@ -323,8 +330,8 @@ class EditorInAWindow(unittest.TestCase):
         again = self.restore(editor)
         saved = again.save(self.path("restored.glb"))
         self.assertEqual(again.close(), 0)
-        self.assertEqual(self.fields(saved), self.fields(path))
-        self.assertNotEqual(self.fields(saved), before)
+        self.assertEqual(self.fur(saved), self.fur(path))
+        self.assertNotEqual(self.fur(saved), before)
 
     def test_a_dropped_file_and_a_recent_one_are_opened(self):
         editor = self.start(self.mesh)
