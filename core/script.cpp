@@ -11,6 +11,7 @@
 #include "files.h"
 #include "gltf_out.h"
 #include "script_text.h"
+#include "segment_text.h"
 #include "text.h"
 
 namespace pelage {
@@ -131,6 +132,10 @@ void runFlood(Workspace& workspace, Words& words) {
     editor.commit(std::string("Flood ") + toolInfo(brush.tool).name);
 }
 
+void runSegmentLine(Workspace& workspace, Words& words) { runSegment(editorOf(workspace), words); }
+
+void runComb(Workspace& workspace, Words& words) { runHeadToTail(editorOf(workspace), words); }
+
 void runUndo(Workspace& workspace, Words& words) {
     expectEnd(words);
     editorOf(workspace).undo();
@@ -151,15 +156,17 @@ struct Command {
     const char* name;
     void (*run)(Workspace&, Words&);
 };
-constexpr std::array<Command, 9> kCommands{{{"open", runOpen},
-                                            {"animal", runAnimal},
-                                            {"preset", runPreset},
-                                            {"set", runSet},
-                                            {"stroke", runStroke},
-                                            {"flood", runFlood},
-                                            {"undo", runUndo},
-                                            {"redo", runRedo},
-                                            {"save", runSave}}};
+constexpr std::array<Command, 11> kCommands{{{"open", runOpen},
+                                             {"animal", runAnimal},
+                                             {"preset", runPreset},
+                                             {"set", runSet},
+                                             {"stroke", runStroke},
+                                             {"flood", runFlood},
+                                             {"segment", runSegmentLine},
+                                             {"comb", runComb},
+                                             {"undo", runUndo},
+                                             {"redo", runRedo},
+                                             {"save", runSave}}};
 
 void runText(Workspace& workspace, const std::string& path, std::string_view text) {
     for (std::size_t number = 1; !text.empty(); ++number) {

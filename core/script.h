@@ -8,6 +8,8 @@
 //   stroke TOOL [add|subtract|set VALUE] radius R [strength S] [falloff NAME] [mirror] [through]
 //          : px py pz nx ny nz  px py pz nx ny nz ...
 //   flood TOOL [add|subtract|set VALUE] [strength S] [direction x y z]
+//   segment NAME [axis x y z] [weight W]  combs a body segment along its own axis or this one
+//   comb head-to-tail [weight W]           combs the whole body along its segments
 //   undo
 //   redo
 //   save PATH                              refuses a name that does not end in .glb

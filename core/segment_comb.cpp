@@ -154,6 +154,12 @@ void mixIn(const Skin& skin, Groom& groom, uint v, vec3 direction, float weight)
     if (finite(mixed) && mixed != old.direction) groom.fur.edit(v).direction = mixed;
 }
 
+// Whether a name stands in a line of script as it is, and means nothing else there.
+bool oneWord(const std::string& name) {
+    return !name.empty() && name[0] != '#' && name != "axis" && name != "weight" &&
+           std::ranges::none_of(name, [](unsigned char c) { return c <= ' ' || c == 0x7f; });
+}
+
 }  // namespace
 
 vec3 laidOnSkin(vec3 comb, vec3 normal) {
@@ -219,7 +225,7 @@ std::string nameOfSegment(const Skin& skin, uint segment) {
     const std::string& name = skin.segments()[segment].name;
     const auto first = std::ranges::find(skin.segments(), name, &Segment::name);
     const bool own = first == skin.segments().begin() + segment;
-    return own ? name : "#" + std::to_string(segment);
+    return own && oneWord(name) ? name : "#" + std::to_string(segment);
 }
 
 }  // namespace pelage

@@ -56,7 +56,8 @@ void combHeadToTail(const Skin& skin, Groom& groom, float weight);
 // The segment of that name, or "#N", N from 0, for the one at that place. Throws
 // std::runtime_error that lists the names.
 uint segmentNamed(const Skin& skin, std::string_view name);
-// What segmentNamed finds it by: its name, or "#N" where an earlier one has the same.
+// One word that segmentNamed finds it by: its name, or "#N" where that is no word of its own or an
+// earlier segment has the same.
 std::string nameOfSegment(const Skin& skin, uint segment);
 
 }  // namespace pelage

@@ -250,14 +250,18 @@ TEST(HeadToTail, SaysThatThereAreNoSegments) {
 TEST(SegmentNames, AreFoundByNameOrNumber) {
     Source source = tube();
     source.segments.push_back({"front", {0, 0, 0}, {1, 0, 0}});
+    source.segments.push_back({"left ear", {0, 0, 0}, {1, 0, 0}});
     const auto skin = makeSkin(std::move(source));
     EXPECT_EQ(segmentNamed(*skin, "back"), 1u);
     EXPECT_EQ(segmentNamed(*skin, "front"), 0u);
     EXPECT_EQ(segmentNamed(*skin, "#2"), 2u);
     EXPECT_EQ(nameOfSegment(*skin, 0), "front");
     EXPECT_EQ(nameOfSegment(*skin, 2), "#2");
-    EXPECT_EQ(refusal([&] { segmentNamed(*skin, "#3"); }),
-              "no body segment \"#3\"; there are \"front\", \"back\", \"front\"");
+    EXPECT_EQ(segmentNamed(*skin, "left ear"), 3u);
+    EXPECT_EQ(nameOfSegment(*skin, 3), "#3");
+    EXPECT_EQ(refusal([&] { segmentNamed(*skin, "#4"); }),
+              "no body segment \"#4\"; there are \"front\", \"back\", \"front\", "
+              "\"left ear\"");
 }
 
 }  // namespace
