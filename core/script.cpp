@@ -10,6 +10,7 @@
 #include "coat.h"
 #include "files.h"
 #include "gltf_out.h"
+#include "region_text.h"
 #include "script_text.h"
 #include "segment_text.h"
 #include "text.h"
@@ -136,6 +137,16 @@ void runSegmentLine(Workspace& workspace, Words& words) { runSegment(editorOf(wo
 
 void runComb(Workspace& workspace, Words& words) { runHeadToTail(editorOf(workspace), words); }
 
+void runRegion(Workspace& workspace, Words& words) {
+    Editor& editor = editorOf(workspace);
+    const auto [region, change] = regionFromWords(words);
+    expectEnd(words);
+    Groom groom = editor.document().groom;
+    applyRegion(*workspace.query, groom, region, change);
+    editor.edit([&](Document& document) { document.groom = std::move(groom); });
+    editor.commit(regionLabel(region, change));
+}
+
 void runUndo(Workspace& workspace, Words& words) {
     expectEnd(words);
     editorOf(workspace).undo();
@@ -156,7 +167,7 @@ struct Command {
     const char* name;
     void (*run)(Workspace&, Words&);
 };
-constexpr std::array<Command, 11> kCommands{{{"open", runOpen},
+constexpr std::array<Command, 12> kCommands{{{"open", runOpen},
                                              {"animal", runAnimal},
                                              {"preset", runPreset},
                                              {"set", runSet},
@@ -164,6 +175,7 @@ constexpr std::array<Command, 11> kCommands{{{"open", runOpen},
                                              {"flood", runFlood},
                                              {"segment", runSegmentLine},
                                              {"comb", runComb},
+                                             {"region", runRegion},
                                              {"undo", runUndo},
                                              {"redo", runRedo},
                                              {"save", runSave}}};

@@ -8,6 +8,7 @@
 //   stroke TOOL [add|subtract|set VALUE] radius R [strength S] [falloff NAME] [mirror] [through]
 //          : px py pz nx ny nz  px py pz nx ny nz ...
 //   flood TOOL [add|subtract|set VALUE] [strength S] [direction x y z]
+//   region WHERE [sizes] [falloff F] : CHANNEL ACT      as region_text.h says
 //   segment NAME [axis x y z] [weight W]  combs a body segment along its own axis or this one
 //   comb head-to-tail [weight W]           combs the whole body along its segments
 //   undo
