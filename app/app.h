@@ -93,6 +93,7 @@ void redo(App& app);
 void goToStep(App& app, std::size_t step);
 void choosePreset(App& app, const std::string& name);
 void floodSkin(App& app, vec3 direction);  // of combing, world
+void resetSkin(App& app);                  // what the brush paints
 void beginStroke(App& app, const Brush& brush, const SkinHit& hit);
 void endStroke(App& app);
 void cancelStroke(App& app);

@@ -182,6 +182,8 @@ void floodSkin(App& app, vec3 direction) {
     runStep(app, floodLine(app.session.brush(), direction));
 }
 
+void resetSkin(App& app) { runStep(app, std::string("reset ") + toolInfo(app.session.tool).name); }
+
 void beginStroke(App& app, const Brush& brush, const SkinHit& hit) {
     commitPending(app);
     app.workspace.press(brush, hit.position, hit.normal);

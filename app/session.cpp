@@ -7,6 +7,12 @@
 
 namespace pelage {
 
+namespace {
+
+constexpr vec3 kFirstTint{0.45f, 0.16f, 0.05f};  // chestnut: seen on every coat that is not black
+
+}  // namespace
+
 LengthUnit unitFor(float size) {
     if (size < 0.02f) return {"mm", 1000.0f};
     if (size < 20.0f) return {"cm", 100.0f};
@@ -58,6 +64,9 @@ void meetSkin(Session& session, const Skin& skin, float aspect) {
         Brush& brush = session.brushes[static_cast<std::size_t>(info.tool)];
         brush.tool = info.tool;
         if (info.tool == Tool::length) brush.value = firstLength(skin);
+        if (info.tool == Tool::cut) brush.value = 0.5f * firstLength(skin);
+        if (!info.add && info.hasSet) brush.mode = Mode::set;
+        if (info.tool == Tool::tint && brush.color == vec3(1.0f)) brush.color = kFirstTint;
         if (info.tool == Tool::density) brush.value = std::max(brush.value, 0.5f);
         if (info.tool == Tool::mask) brush.value = 1.0f;
     }

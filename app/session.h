@@ -31,7 +31,8 @@ std::string lengthText(float metres);
 struct Session {
     Camera camera;
     Tool tool = Tool::comb;
-    std::array<Brush, 5> brushes;  // by Tool; radius, mirrorX and facingOnly are the same in all
+    std::array<Brush, kToolCount>
+        brushes;  // by Tool; radius, mirrorX and facingOnly are the same in all
     vec3 floodDirection{0.0f, 0.0f, -1.0f};  // world; of combing everything at once
     ViewOptions view;
 

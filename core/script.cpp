@@ -125,6 +125,9 @@ void runFlood(Workspace& workspace, Words& words) {
         throw std::runtime_error("no flood knows " + inQuotes(stopped));
     }
     expectEnd(words);
+    if (toolInfo(brush.tool).needsPath)
+        throw std::runtime_error(std::string(toolInfo(brush.tool).name) +
+                                 " goes by the path of a stroke; a flood has none");
     if (brush.tool == Tool::comb && direction == vec3(0.0f))
         throw std::runtime_error("a flood of comb needs a direction");
     editor.edit([&, &of = brush](Document& document) {
@@ -133,7 +136,17 @@ void runFlood(Workspace& workspace, Words& words) {
     editor.commit(std::string("Flood ") + toolInfo(brush.tool).name);
 }
 
-void runSegmentLine(Workspace& workspace, Words& words) { runSegment(editorOf(workspace), words); }
+void runReset(Workspace& workspace, Words& words) {
+    Editor& editor = editorOf(workspace);
+    const ToolInfo& tool = toolNamed(words.next());
+    expectEnd(words);
+    editor.edit([&](Document& document) { reset(*document.skin, document.groom, tool.tool); });
+    editor.commit(std::string("Reset ") + tool.name);
+}
+
+void runSegmentLine(Workspace& workspace, Words& words) {
+    runSegment(editorOf(workspace), words);
+}
 
 void runComb(Workspace& workspace, Words& words) { runHeadToTail(editorOf(workspace), words); }
 
@@ -167,12 +180,13 @@ struct Command {
     const char* name;
     void (*run)(Workspace&, Words&);
 };
-constexpr std::array<Command, 12> kCommands{{{"open", runOpen},
+constexpr std::array<Command, 13> kCommands{{{"open", runOpen},
                                              {"animal", runAnimal},
                                              {"preset", runPreset},
                                              {"set", runSet},
                                              {"stroke", runStroke},
                                              {"flood", runFlood},
+                                             {"reset", runReset},
                                              {"segment", runSegmentLine},
                                              {"comb", runComb},
                                              {"region", runRegion},
