@@ -7,6 +7,7 @@
 #include "app/app.h"
 #include "core/animal.h"
 #include "core/script.h"
+#include "core/segment_text.h"
 
 namespace pelage {
 namespace {
@@ -183,6 +184,12 @@ void floodSkin(App& app, vec3 direction) {
 }
 
 void resetSkin(App& app) { runStep(app, std::string("reset ") + toolInfo(app.session.tool).name); }
+
+void combAlong(App& app, uint segment, vec3 axis, float weight) {
+    runStep(app, segmentLine(app.skin(), segment, axis, weight));
+}
+
+void combBody(App& app, float weight) { runStep(app, headToTailLine(weight)); }
 
 void beginStroke(App& app, const Brush& brush, const SkinHit& hit) {
     commitPending(app);

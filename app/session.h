@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "app/render/renderer.h"
 #include "core/brush.h"
@@ -28,12 +29,22 @@ LengthUnit unitFor(float size);
 // "3.2 cm": a length with three significant digits.
 std::string lengthText(float metres);
 
+// The segment of the body in hand.
+struct SegmentChoice {
+    std::vector<std::size_t> vertices;  // of each segment
+    uint chosen = 0;
+    vec3 axis{0.0f};      // world; where its hair is to lie
+    float weight = 1.0f;  // [0,1]
+    bool shown = false;   // in this frame: the axes are drawn
+};
+
 struct Session {
     Camera camera;
     Tool tool = Tool::comb;
     std::array<Brush, kToolCount>
         brushes;  // by Tool; radius, mirrorX and facingOnly are the same in all
     vec3 floodDirection{0.0f, 0.0f, -1.0f};  // world; of combing everything at once
+    SegmentChoice segment;
     ViewOptions view;
 
     Brush& brush() { return brushes[static_cast<std::size_t>(tool)]; }

@@ -15,10 +15,11 @@ struct Layout {
 float drawMenu(App& app);  // its height
 void drawToolbar(App& app, const Layout& layout);
 void drawBrushPanel(App& app, const Layout& layout);
-void drawSidePanel(App& app, const Layout& layout);  // tabs: coats, view, history
+void drawSidePanel(App& app, const Layout& layout);  // tabs: coats, view, history, body
 void drawCoats(App& app);
 void drawView(App& app);
 void drawHistory(App& app);
+void drawSegments(App& app);
 void drawStatus(App& app, const Layout& layout);
 void drawDialogs(App& app);
 void drawHelp(App& app);
