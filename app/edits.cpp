@@ -6,6 +6,7 @@
 
 #include "app/app.h"
 #include "core/animal.h"
+#include "core/region_text.h"
 #include "core/script.h"
 #include "core/segment_text.h"
 
@@ -184,6 +185,8 @@ void floodSkin(App& app, vec3 direction) {
 }
 
 void resetSkin(App& app) { runStep(app, std::string("reset ") + toolInfo(app.session.tool).name); }
+
+void editRegion(App& app) { runStep(app, regionLine(app.session.region, app.session.regionEdit)); }
 
 void combAlong(App& app, uint segment, vec3 axis, float weight) {
     runStep(app, segmentLine(app.skin(), segment, axis, weight));

@@ -7,6 +7,7 @@
 
 #include "app/render/renderer.h"
 #include "core/brush.h"
+#include "core/region.h"
 
 namespace pelage {
 
@@ -46,6 +47,9 @@ struct Session {
     vec3 floodDirection{0.0f, 0.0f, -1.0f};  // world; of combing everything at once
     SegmentChoice segment;
     ViewOptions view;
+    // Of the region panel; its lengths are in sizes of the skin.
+    Region region{.where = Where::narrow, .curvature = 10.0f, .falloff = 0.02f, .sizes = true};
+    RegionEdit regionEdit{.value = 0.5f};
 
     Brush& brush() { return brushes[static_cast<std::size_t>(tool)]; }
     const Brush& brush() const { return brushes[static_cast<std::size_t>(tool)]; }
