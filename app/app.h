@@ -96,7 +96,11 @@ void undo(App& app);
 void redo(App& app);
 void goToStep(App& app, std::size_t step);
 void choosePreset(App& app, const std::string& name);
-void floodSkin(App& app, vec3 direction);  // of combing, world
+void floodSkin(App& app, vec3 direction);                         // of combing, world
+void resetSkin(App& app);                                         // what the brush paints
+void editRegion(App& app);                                        // as the session says
+void combAlong(App& app, uint segment, vec3 axis, float weight);  // world
+void combBody(App& app, float weight);                            // from head to tail
 void beginStroke(App& app, const Brush& brush, const SkinHit& hit);
 void endStroke(App& app);
 void cancelStroke(App& app);

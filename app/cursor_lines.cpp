@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "app/app.h"
 #include "app/viewport.h"
+#include "core/segment_comb.h"
 
 namespace pelage {
 namespace {
@@ -122,6 +124,40 @@ void addArrows(const App& app, std::vector<OverlayLine>& lines) {
     }
 }
 
+// The same place of the picture, before the body.
+vec3 lifted(const Camera& camera, vec3 eye, vec3 p, float size) {
+    if (camera.orthographic) return p + size * glm::normalize(eye - camera.target);
+    return glm::mix(p, eye, std::min(0.7f, size / std::max(glm::distance(p, eye), 1e-9f)));
+}
+
+// The axes of the segments; the one in hand as it is set.
+void addAxes(App& app, std::vector<OverlayLine>& lines) {
+    const Skin& skin = app.skin();
+    const SegmentChoice& choice = app.session.segment;
+    const Camera& camera = app.session.camera;
+    const vec3 eye = camera.eye();
+    for (uint s = 0; s < skin.segments().size(); ++s) {
+        const Segment& segment = skin.segments()[s];
+        const vec3 middle = 0.5f * (segment.root + segment.tip);
+        const bool own = s == choice.chosen;
+        const vec3 unit = own ? axisOf({"", vec3(0.0f), choice.axis}) : axisOf(segment);
+        const vec3 axis = glm::distance(segment.root, segment.tip) * unit;
+        if (axis == vec3(0.0f)) continue;
+        const vec3 across = glm::cross(axis, eye - middle);
+        const float width = glm::length(across);
+        const vec3 side = width > 0.0f ? 0.12f * glm::length(axis) / width * across : vec3(0.0f);
+        const vec4 color = own ? vec4(1.0f, 0.72f, 0.40f, 1.0f) : kArrowColor;
+        const auto add = [&](vec3 from, vec3 to) {
+            lines.push_back({lifted(camera, eye, from, skin.size()),
+                             lifted(camera, eye, to, skin.size()), color});
+        };
+        const vec3 tip = middle + 0.5f * axis;
+        add(middle - 0.5f * axis, tip);
+        add(tip, tip - 0.25f * axis + side);
+        add(tip, tip - 0.25f * axis - side);
+    }
+}
+
 }  // namespace
 
 void updateLines(App& app) {
@@ -129,6 +165,7 @@ void updateLines(App& app) {
     lines.clear();
     if (!app.isOpen()) return;
     if (app.session.view.overlay == Overlay::direction) addArrows(app, lines);
+    if (std::exchange(app.session.segment.shown, false)) addAxes(app, lines);
     addCursor(app, lines);
 }
 

@@ -6,7 +6,9 @@
 
 #include "app/app.h"
 #include "core/animal.h"
+#include "core/region_text.h"
 #include "core/script.h"
+#include "core/segment_text.h"
 
 namespace pelage {
 namespace {
@@ -181,6 +183,16 @@ void choosePreset(App& app, const std::string& name) { runStep(app, "preset " + 
 void floodSkin(App& app, vec3 direction) {
     runStep(app, floodLine(app.session.brush(), direction));
 }
+
+void resetSkin(App& app) { runStep(app, std::string("reset ") + toolInfo(app.session.tool).name); }
+
+void editRegion(App& app) { runStep(app, regionLine(app.session.region, app.session.regionEdit)); }
+
+void combAlong(App& app, uint segment, vec3 axis, float weight) {
+    runStep(app, segmentLine(app.skin(), segment, axis, weight));
+}
+
+void combBody(App& app, float weight) { runStep(app, headToTailLine(weight)); }
 
 void beginStroke(App& app, const Brush& brush, const SkinHit& hit) {
     commitPending(app);

@@ -7,6 +7,12 @@
 
 namespace pelage {
 
+namespace {
+
+constexpr vec3 kFirstTint{0.45f, 0.16f, 0.05f};  // chestnut: seen on every coat that is not black
+
+}  // namespace
+
 LengthUnit unitFor(float size) {
     if (size < 0.02f) return {"mm", 1000.0f};
     if (size < 20.0f) return {"cm", 100.0f};
@@ -58,10 +64,17 @@ void meetSkin(Session& session, const Skin& skin, float aspect) {
         Brush& brush = session.brushes[static_cast<std::size_t>(info.tool)];
         brush.tool = info.tool;
         if (info.tool == Tool::length) brush.value = firstLength(skin);
+        if (info.tool == Tool::cut) brush.value = 0.5f * firstLength(skin);
+        if (!info.add && info.hasSet) brush.mode = Mode::set;
+        if (info.tool == Tool::tint && brush.color == vec3(1.0f)) brush.color = kFirstTint;
         if (info.tool == Tool::density) brush.value = std::max(brush.value, 0.5f);
         if (info.tool == Tool::mask) brush.value = 1.0f;
     }
     setRadius(session, skin, kFirstRadius * skin.size());
+    session.segment = {};
+    session.segment.vertices.resize(skin.segments().size());
+    for (const SkinVertex& vertex : skin.vertices)
+        if (vertex.segment < skin.segments().size()) ++session.segment.vertices[vertex.segment];
     session.camera = Camera{};
     session.camera.yaw = 0.9f;  // from the animal's left shoulder, a little from above
     session.camera.pitch = 0.25f;

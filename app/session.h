@@ -3,9 +3,11 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "app/render/renderer.h"
 #include "core/brush.h"
+#include "core/region.h"
 
 namespace pelage {
 
@@ -30,12 +32,26 @@ LengthUnit unitFor(float size);
 // "3.2 cm": a length with three significant digits.
 std::string lengthText(float metres);
 
+// The segment of the body in hand.
+struct SegmentChoice {
+    std::vector<std::size_t> vertices;  // of each segment
+    uint chosen = 0;
+    vec3 axis{0.0f};      // world; where its hair is to lie
+    float weight = 1.0f;  // [0,1]
+    bool shown = false;   // in this frame: the axes are drawn
+};
+
 struct Session {
     Camera camera;
     Tool tool = Tool::comb;
-    std::array<Brush, 5> brushes;  // by Tool; radius, mirrorX and facingOnly are the same in all
+    std::array<Brush, kToolCount>
+        brushes;  // by Tool; radius, mirrorX and facingOnly are the same in all
     vec3 floodDirection{0.0f, 0.0f, -1.0f};  // world; of combing everything at once
+    SegmentChoice segment;
     ViewOptions view;
+    // Of the region panel; its lengths are in sizes of the skin.
+    Region region{.where = Where::narrow, .curvature = 10.0f, .falloff = 0.02f, .sizes = true};
+    RegionEdit regionEdit{.value = 0.5f};
 
     Brush& brush() { return brushes[static_cast<std::size_t>(tool)]; }
     const Brush& brush() const { return brushes[static_cast<std::size_t>(tool)]; }

@@ -1,4 +1,4 @@
-// tool_icons.cpp -- five small drawings on a unit square, y down.
+// tool_icons.cpp -- small drawings on a unit square, y down.
 #include "app/tool_icons.h"
 
 #include <array>
@@ -65,6 +65,58 @@ void smoothIcon(const Pen& pen) {
     }
 }
 
+// Hairs up to a line, and scraps above it.
+void cutIcon(const Pen& pen) {
+    pen.line(0.08f, 0.90f, 0.92f, 0.90f);
+    for (const float x : {0.22f, 0.50f, 0.78f}) {
+        pen.line(x, 0.88f, x, 0.54f);
+        pen.line(x + 0.03f, 0.30f, x + 0.08f, 0.12f);
+    }
+    pen.line(0.06f, 0.42f, 0.94f, 0.42f);
+}
+
+void partIcon(const Pen& pen) {
+    pen.line(0.5f, 0.08f, 0.5f, 0.92f);
+    for (const float y : {0.30f, 0.55f, 0.80f}) {
+        pen.hair(0.42f, y, 0.28f, y - 0.18f, 0.08f, y);
+        pen.hair(0.58f, y, 0.72f, y - 0.18f, 0.92f, y);
+    }
+}
+
+void twistIcon(const Pen& pen) {
+    constexpr float kPi = 3.14159265f;
+    pen.draw.PathArcTo(pen.at(0.5f, 0.5f), 0.36f * pen.side, -0.4f * kPi, 1.2f * kPi, 32);
+    pen.draw.PathStroke(pen.color, 0, pen.width());
+    pen.line(0.61f, 0.16f, 0.82f, 0.08f);
+    pen.line(0.61f, 0.16f, 0.76f, 0.34f);
+    pen.dot(0.5f, 0.5f);
+}
+
+void clumpIcon(const Pen& pen) {
+    pen.line(0.08f, 0.90f, 0.92f, 0.90f);
+    for (const float x : {0.14f, 0.32f, 0.50f, 0.68f, 0.86f})
+        pen.hair(x, 0.88f, x, 0.45f, 0.5f, 0.10f);
+}
+
+void puffIcon(const Pen& pen) {
+    pen.line(0.08f, 0.90f, 0.92f, 0.90f);
+    for (const float x : {0.18f, 0.39f, 0.61f, 0.82f}) pen.line(x, 0.88f, x, 0.16f);
+}
+
+void flattenIcon(const Pen& pen) {
+    pen.line(0.08f, 0.90f, 0.92f, 0.90f);
+    for (const float x : {0.12f, 0.34f, 0.56f})
+        pen.hair(x, 0.86f, x + 0.06f, 0.62f, x + 0.36f, 0.62f);
+}
+
+// A drop.
+void tintIcon(const Pen& pen) {
+    constexpr float kPi = 3.14159265f;
+    pen.draw.PathArcTo(pen.at(0.5f, 0.62f), 0.28f * pen.side, -0.12f * kPi, 1.12f * kPi, 28);
+    pen.draw.PathLineTo(pen.at(0.5f, 0.08f));
+    pen.draw.PathFillConvex(pen.color);
+}
+
 void maskIcon(const Pen& pen) {
     constexpr float kPi = 3.14159265f;
     const ImVec2 center = pen.at(0.5f, 0.5f);
@@ -87,6 +139,20 @@ void drawToolIcon(ImDrawList& draw, Tool tool, ImVec2 corner, float side, ImU32 
             return combIcon(pen);
         case Tool::smooth:
             return smoothIcon(pen);
+        case Tool::cut:
+            return cutIcon(pen);
+        case Tool::part:
+            return partIcon(pen);
+        case Tool::twist:
+            return twistIcon(pen);
+        case Tool::clump:
+            return clumpIcon(pen);
+        case Tool::puff:
+            return puffIcon(pen);
+        case Tool::flatten:
+            return flattenIcon(pen);
+        case Tool::tint:
+            return tintIcon(pen);
         case Tool::mask:
             return maskIcon(pen);
     }

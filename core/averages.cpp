@@ -52,6 +52,7 @@ FurVertex towards(const FurVertex& a, const FurVertex& b, float share) {
     mixed.furLength += share * (b.furLength - a.furLength);
     mixed.density += share * (b.density - a.density);
     mixed.direction += share * (b.direction - a.direction);
+    mixed.tint += share * (b.tint - a.tint);
     return mixed;
 }
 
@@ -62,6 +63,7 @@ void Averages::Sum::add(double share, const Sum& other) {
     length += share * other.length;
     density += share * other.density;
     direction += share * other.direction;
+    tint += share * other.tint;
 }
 
 Averages::Averages(const SkinQuery& query, Groom before, float reach)
@@ -89,7 +91,8 @@ void Averages::sumCell(glm::ivec3 cell) {
         if (!corners[0])
             for (std::size_t c = 0; c < 8; ++c) corners[c] = &points_[keyOf(cornerOf(cell, c))];
         const FurVertex fur = furToWorld(skin, v, before_.fur[v]);
-        const Sum value{1.0, fur.furLength, fur.density, glm::dvec3(fur.direction)};
+        const Sum value{1.0, fur.furLength, fur.density, glm::dvec3(fur.direction),
+                        glm::dvec3(fur.tint)};
         const std::array<double, 6> side = facing(vertex.normal);
         const auto weights = cornerWeights(glm::dvec3(vertex.position / reach_) - glm::dvec3(cell));
         for (std::size_t c = 0; c < 8; ++c)
@@ -126,6 +129,7 @@ FurVertex Averages::around(uint v) {
     mean.furLength = static_cast<float>(sum.length / sum.weight);
     mean.density = static_cast<float>(sum.density / sum.weight);
     mean.direction = vec3(sum.direction / sum.weight);
+    mean.tint = vec3(sum.tint / sum.weight);
     return towards(ring, mean, static_cast<float>(sum.weight / (sum.weight + kRingWeight)));
 }
 
@@ -139,6 +143,7 @@ FurVertex ringMean(const Skin& skin, const Groom& groom, uint v) {
         mean.furLength += weight * (there.furLength - here.furLength);
         mean.density += weight * (there.density - here.density);
         mean.direction += weight * (there.direction - here.direction);
+        mean.tint += weight * (there.tint - here.tint);
     }
     return mean;
 }

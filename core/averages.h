@@ -31,7 +31,7 @@ private:
     // Of weight x value.
     struct Sum {
         double weight = 0.0, length = 0.0, density = 0.0;
-        glm::dvec3 direction{0.0};
+        glm::dvec3 direction{0.0}, tint{0.0};
 
         void add(double share, const Sum& other);
     };

@@ -14,7 +14,6 @@ namespace pelage {
 namespace {
 
 constexpr double kCombStep = 1.0 / 8.0;  // of the radius, between two looks at the path's direction
-constexpr float kLeastRadius = 1e-3f;    // of the skin's size; bounds the number of comb steps
 constexpr float kFarthest = 2.0f;        // sizes from the middle of the skin
 constexpr float kSmoothReach = 1.0f / 3.0f;  // of the radius, over which smooth takes its mean
 constexpr float kFloodReach = 1.0f / 40.0f;  // the same for a flood, of the skin's size
@@ -92,6 +91,7 @@ void Stroke::dab(Groom& groom, vec3 position, vec3 normal) {
             mirror(piece.from);
             mirror(piece.to);
             for (Sample& step : piece.steps) mirror(step);
+            piece.mirrored = true;
             cover(groom, piece);
         }
         begin = end;
@@ -103,9 +103,7 @@ void Stroke::mirror(Sample& sample) {
     sample.normal.x = -sample.normal.x;
 }
 
-float Stroke::radius() const {
-    return std::max(brush_.radius, kLeastRadius * query_->skin().size());
-}
+float Stroke::radius() const { return workingRadius(query_->skin(), brush_); }
 
 std::vector<Stroke::Sample> Stroke::combSteps(vec3 from, vec3 to) {
     std::vector<Sample> steps;
@@ -132,11 +130,20 @@ void Stroke::cover(Groom& groom, const Piece& piece) {
         Touch touched = touched_[v];
         if (!touch(skin.vertices[v], piece, touched)) continue;
         touched_.edit(v) = touched;
-        Touching touching{touched.coverage, touched.combed, {}};
-        if (averages_) touching.around = averages_->around(v);
-        writeVertex(groom, v, brushedFur(skin, before_, brush_, v, touching),
-                    brushedMask(before_, brush_, v, touching));
+        const Touching by = touching(v, touched);
+        writeVertex(groom, v, brushedFur(skin, before_, brush_, v, by),
+                    brushedMask(before_, brush_, v, by));
     }
+}
+
+Touching Stroke::touching(uint v, const Touch& touched) {
+    Touching by;
+    by.coverage = std::max(touched.coverage, touched.mirrored);
+    by.turn = touched.coverage - touched.mirrored;
+    by.path = touched.combed;
+    if (touched.ties > 0.0f) by.offset = touched.offset / touched.ties;
+    if (averages_) by.around = averages_->around(v);
+    return by;
 }
 
 // Adds the piece of path to what the vertex has felt; false when it felt nothing new.
@@ -149,10 +156,19 @@ bool Stroke::touch(const SkinVertex& vertex, const Piece& piece, Touch& touched)
     const float facing = brush_.facingOnly ? facingWeight(vertex.normal, normal) : 1.0f;
     if (facing <= 0.0f) return false;
 
-    const float distance = glm::length(away - t * along);
+    const vec3 offset = away - t * along;
+    const float distance = glm::length(offset);
     const float coverage = facing * falloffWeight(brush_.falloff, distance, radius());
-    bool changed = coverage > touched.coverage;
-    touched.coverage = std::max(touched.coverage, coverage);
+    float& covered = piece.mirrored ? touched.mirrored : touched.coverage;
+    bool changed = coverage > covered;
+    covered = std::max(covered, coverage);
+    if (toolInfo(brush_.tool).needsPath && coverage > 0.0f && distance <= touched.nearest) {
+        const bool tie = distance == touched.nearest;  // as on the plane of a mirrored stroke
+        touched.ties = tie ? touched.ties + 1.0f : 1.0f;
+        touched.offset = tie ? touched.offset + offset : offset;
+        touched.nearest = distance;
+        changed = true;
+    }
     for (const Sample& step : piece.steps) {
         const float weight =
             facing *
@@ -180,11 +196,31 @@ void flood(const SkinQuery& query, Groom& groom, const Brush& brush, vec3 direct
     const Groom before = groom;  // smooth looks at neighbours
     std::optional<Averages> averages;
     if (brush.tool == Tool::smooth) averages.emplace(query, before, kFloodReach * skin.size());
-    Touching touching{1.0f, direction, {}};
+    Touching touching;
+    touching.coverage = touching.turn = 1.0f;
+    touching.path = direction;
     for (uint v = 0; v < skin.vertices.size(); ++v) {
         if (averages) touching.around = averages->around(v);
         writeVertex(groom, v, brushedFur(skin, before, brush, v, touching),
                     brushedMask(before, brush, v, touching));
+    }
+}
+
+void reset(const Skin& skin, Groom& groom, Tool tool) {
+    const bool length = tool == Tool::length || tool == Tool::cut || tool == Tool::smooth;
+    const bool density = tool == Tool::density || tool == Tool::smooth;
+    const bool tint = tool == Tool::tint || tool == Tool::smooth;
+    const bool direction =
+        tool != Tool::mask && (tool == Tool::smooth || !(length || density || tint));
+    const Groom first = initialGroom(skin);
+    for (uint v = 0; v < skin.vertices.size(); ++v) {
+        FurVertex fur = groom.fur[v];
+        const float held = groom.mask[v];
+        if (length) fur.furLength = first.fur[v].furLength;
+        if (density) fur.density = first.fur[v].density;
+        if (direction) fur.direction = first.fur[v].direction;
+        if (tint) fur.tint = vec3(1.0f);
+        writeVertex(groom, v, heldBack(fur, groom.fur[v], held), tool == Tool::mask ? 0.0f : held);
     }
 }
 

@@ -2,9 +2,12 @@
 //
 // The effect of a stroke is a function of the groom before it and of its coverage: at each vertex
 // the largest falloff along the path. So it does not depend on how often the pointer was sampled,
-// and overlaps do not add up. Comb sums directions along a path resampled at a fixed spacing.
+// and overlaps do not add up. Comb sums directions along a path resampled at a fixed spacing; part
+// and clump look at the nearest point of the path.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,18 +20,36 @@
 
 namespace pelage {
 
-enum class Tool { length, density, comb, smooth, mask };
+enum class Tool {
+    length,
+    cut,
+    density,
+    comb,
+    part,
+    twist,
+    clump,
+    puff,
+    flatten,
+    smooth,
+    tint,
+    mask
+};
+inline constexpr std::size_t kToolCount = 12;
 enum class Mode { add, subtract, set };
 enum class Falloff { smooth, linear, sharp, constant };
 
 // Row of the tool table: what buttons, keys, scripts and help are made from.
 struct ToolInfo {
     Tool tool;
-    const char* name;   // in scripts: "length"
-    const char* label;  // in the panel: "Length"
-    const char* help;   // one sentence
-    bool hasModes;  // add, subtract, set make sense; comb knows add (along) and subtract (against)
-    float least, greatest;  // of Brush::value; length: in multiples of the skin's size
+    const char* name;      // in scripts: "length"
+    const char* label;     // in the panel: "Length"
+    const char* help;      // one sentence
+    const char* add;       // what Mode::add and Mode::subtract do, in a word or two; null where the
+    const char* subtract;  // tool works one way only
+    bool hasSet;           // Mode::set tends to Brush::value
+    bool ofLength;         // the value is in m, else from 0 to 1
+    bool needsPath;        // works by where the stroke went: no flood
+    float least, greatest;  // of Brush::value; lengths: in multiples of the skin's size
 };
 std::span<const ToolInfo> tools();
 const ToolInfo& toolInfo(Tool tool);
@@ -41,11 +62,14 @@ struct Brush {
     Falloff falloff = Falloff::smooth;
     float radius = 0.05f;   // m, world, > 0; below 1/1000 of the skin's size it counts as that
     float strength = 0.5f;  // [0,1]
-    float value = 0.0f;     // for Mode::set: m (length) or [0,1] (density, mask)
+    float value = 0.0f;     // for Mode::set: m (length, cut) or [0,1] (density, mask)
+    vec3 color{1.0f};       // of tint: linear RGB, each in [0,1]
     bool mirrorX = false;   // the same on the other side of the skin's own x = 0 plane (world)
     bool facingOnly =
         true;  // skip vertices whose normal points away from the skin under the cursor
 };
+
+struct Touching;  // tools.h
 
 // Weight of a vertex at `distance` from the middle of a brush, [0,1]; 1 at 0, 0 from radius on.
 float falloffWeight(Falloff falloff, float distance, float radius);
@@ -75,11 +99,16 @@ private:
     struct Touch {
         vec3 combed{0.0f};      // sum of weight x direction of the path, world
         float coverage = 0.0f;  // [0,1] largest falloff along the path
+        float mirrored = 0.0f;  // the same of the path's mirror image
+        float nearest = std::numeric_limits<float>::infinity();  // m, from the path
+        float ties = 0.0f;  // how many points of the path are that near
+        vec3 offset{0.0f};  // sum of the ways from them to the vertex, m, world
     };
     // A stretch of the path that is short enough for one radius query.
     struct Piece {
         Sample from, to;
         std::vector<Sample> steps;  // of the comb; `normal` holds the direction of the path there
+        bool mirrored = false;
     };
 
     float radius() const;
@@ -87,6 +116,7 @@ private:
     std::vector<Sample> combSteps(vec3 from, vec3 to);
     void cover(Groom& groom, const Piece& piece);
     bool touch(const SkinVertex& vertex, const Piece& piece, Touch& touched) const;
+    Touching touching(uint v, const Touch& touched);
 
     const SkinQuery* query_;
     Groom before_;
@@ -102,7 +132,13 @@ private:
 // The same tool over the entire skin at full coverage; masked vertices keep their values by the
 // share of the mask. For comb: `direction` (world) is laid onto the tangent plane of each vertex.
 // Smooth evens out as a stroke does, over 1/40 of the skin's size or over one-rings where those are
-// wider (averages.h), so that its effect hardly depends on how dense the mesh is.
+// wider (averages.h), so that its effect hardly depends on how dense the mesh is. A tool that needs
+// a path does nothing.
 void flood(const SkinQuery& query, Groom& groom, const Brush& brush, vec3 direction = vec3(0.0f));
+
+// Takes back all that the tool's channels were painted with: length, density and direction as in
+// initialGroom, tint 1, mask 0; smooth stands for all channels but the mask. Masked vertices keep
+// their values by the share of the mask.
+void reset(const Skin& skin, Groom& groom, Tool tool);
 
 }  // namespace pelage

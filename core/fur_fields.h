@@ -22,6 +22,7 @@ void stripFields(GlbDraft& draft, const std::vector<SourcePart>& parts);
 struct FieldValues {
     std::vector<float> length, density;
     std::vector<float> direction;  // x, y, z
+    std::vector<float> tint;       // linear RGB; empty to write none
     bool operator==(const FieldValues&) const = default;
 };
 
@@ -39,7 +40,7 @@ private:
         uint mesh;
         std::size_t positions;  // accessor
         FieldValues values;
-        std::size_t length, density, direction;
+        std::size_t length, density, direction, tint;
         std::size_t mirror[3];
     };
     const Written& written(const SourcePart& part, std::size_t positions, FieldValues values,

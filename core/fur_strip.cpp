@@ -16,7 +16,7 @@ bool isMirrorName(const std::string& name) {
 
 bool isOurName(const std::string& name) {
     return name == kLengthName || name == kDensityName || name == kDirectionName ||
-           isMirrorName(name);
+           name == kTintName || isMirrorName(name);
 }
 
 std::string nameOf(const OrderedJson& object) {
@@ -26,7 +26,8 @@ std::string nameOf(const OrderedJson& object) {
 
 bool isField(const std::string& attribute) {
     const std::string plain = plainAttribute(attribute);
-    return plain == "FUR_LENGTH" || plain == "FUR_DENSITY" || plain == "FUR_DIRECTION";
+    return plain == "FUR_LENGTH" || plain == "FUR_DENSITY" || plain == "FUR_DIRECTION" ||
+           plain == "FUR_TINT";
 }
 
 bool isMirror(const OrderedJson& gltf, const std::string& attribute, const OrderedJson& accessor) {

@@ -52,11 +52,11 @@ std::optional<std::vector<float>> field(GltfFile& file, const SourcePart& part,
 }
 
 // Makes every value one that fur can have; returns how many were changed.
-std::size_t keepInRange(std::vector<float>& values, float greatest) {
+std::size_t keepInRange(std::vector<float>& values, float greatest, float instead = 0.0f) {
     std::size_t changed = 0;
     for (float& value : values) {
         if (value >= 0.0f && value <= greatest) continue;
-        value = value > greatest && std::isfinite(value) ? greatest : 0.0f;
+        value = value > greatest && std::isfinite(value) ? greatest : instead;
         ++changed;
     }
     return changed;
@@ -78,6 +78,13 @@ void warnChanged(GltfFile& file, const JsonPlace& primitive, const char* name,
     if (changed == 0) return;
     file.warnings.add(primitive.text() + ": " + std::to_string(changed) + " values of " + name +
                       " were out of range and were changed");
+}
+
+std::vector<vec3> threes(const std::vector<float>& flat) {
+    std::vector<vec3> values(flat.size() / 3);
+    for (std::size_t v = 0; v < values.size(); ++v)
+        values[v] = vec3(flat[3 * v], flat[3 * v + 1], flat[3 * v + 2]);
+    return values;
 }
 
 // Puts the values at the place of the part in an array that is as long as all vertices so far.
@@ -108,7 +115,9 @@ void readFurFields(GltfFile& file, Source& source, const SourcePart& part,
     auto length = field(file, part, primitive, "fur_length", 1);
     auto density = field(file, part, primitive, "fur_density", 1);
     const auto flat = field(file, part, primitive, "fur_direction", 3);
-    if (!source.fur && (length || density || flat)) source.fur = std::make_unique<SourceFur>();
+    auto tint = field(file, part, primitive, "fur_tint", 3);
+    if (!source.fur && (length || density || flat || tint))
+        source.fur = std::make_unique<SourceFur>();
     if (length) {
         warnChanged(file, primitive, "fur_length", keepInRange(*length, kMaxLength));
         place(source.fur->length, part, *length, 0.0f);
@@ -118,12 +127,13 @@ void readFurFields(GltfFile& file, Source& source, const SourcePart& part,
         place(source.fur->density, part, *density, 1.0f);
     }
     if (flat) {
-        std::vector<vec3> direction(part.vertexCount);
-        for (std::size_t v = 0; v < direction.size(); ++v) {
-            direction[v] = vec3((*flat)[3 * v], (*flat)[3 * v + 1], (*flat)[3 * v + 2]);
-        }
+        std::vector<vec3> direction = threes(*flat);
         warnChanged(file, primitive, "fur_direction", keepInRange(direction));
         place(source.fur->direction, part, direction, vec3(0.0f));
+    }
+    if (tint) {
+        warnChanged(file, primitive, "fur_tint", keepInRange(*tint, 1.0f, 1.0f));
+        place(source.fur->tint, part, threes(*tint), vec3(1.0f));
     }
 }
 
@@ -135,7 +145,8 @@ void warnMissingFields(GltfFile& file, const Source& source) {
         const char* instead;
     } fields[] = {{"fur_length", !source.fur->length.empty(), "length 0"},
                   {"fur_density", !source.fur->density.empty(), "density 1"},
-                  {"fur_direction", !source.fur->direction.empty(), "the direction of the normal"}};
+                  {"fur_direction", !source.fur->direction.empty(), "the direction of the normal"},
+                  {"fur_tint", !source.fur->tint.empty(), "tint 1"}};
     for (const SourcePart& part : source.parts) {
         const JsonPlace primitive =
             file.element("meshes", part.mesh).at("primitives").at(part.primitive);

@@ -10,7 +10,7 @@
 namespace pelage {
 namespace {
 
-FieldValues fieldsOf(const Document& document, const SourcePart& part) {
+FieldValues fieldsOf(const Document& document, const SourcePart& part, bool tinted) {
     FieldValues values;
     values.length.reserve(part.vertexCount);
     values.density.reserve(part.vertexCount);
@@ -21,8 +21,15 @@ FieldValues fieldsOf(const Document& document, const SourcePart& part) {
         values.density.push_back(fur.density);
         values.direction.insert(values.direction.end(),
                                 {fur.direction.x, fur.direction.y, fur.direction.z});
+        if (tinted) values.tint.insert(values.tint.end(), {fur.tint.x, fur.tint.y, fur.tint.z});
     }
     return values;
+}
+
+bool isTinted(const Groom& groom) {
+    for (std::size_t v = 0; v < groom.fur.size(); ++v)
+        if (groom.fur[v].tint != vec3(1.0f)) return true;
+    return false;
 }
 
 // The source as a draft without fur.
@@ -44,9 +51,10 @@ std::vector<std::byte> groomedGlb(const Document& document, const ExportOptions&
     if (progress) progress->report(0.3f);
 
     const int firstSet = options.compatibilityUvs ? firstMirrorSet(draft, source.parts) : -1;
+    const bool tinted = isTinted(document.groom);
     FieldWriter writer(draft);
     for (std::size_t p = 0; p < source.parts.size(); ++p) {
-        writer.write(source.parts[p], fieldsOf(document, source.parts[p]), firstSet);
+        writer.write(source.parts[p], fieldsOf(document, source.parts[p], tinted), firstSet);
         if (progress)
             progress->report(0.3f + 0.5f * static_cast<float>(p + 1) /
                                         static_cast<float>(source.parts.size()));

@@ -88,6 +88,7 @@ Groom initialGroom(const Skin& skin) {
         if (!carried->direction.empty()) fur.direction = carried->direction[first[v]];
         if (!carried->length.empty()) fur.furLength = carried->length[first[v]];
         if (!carried->density.empty()) fur.density = carried->density[first[v]];
+        if (!carried->tint.empty()) fur.tint = carried->tint[first[v]];
     }
     return groom;
 }

@@ -10,7 +10,9 @@
 #include "coat.h"
 #include "files.h"
 #include "gltf_out.h"
+#include "region_text.h"
 #include "script_text.h"
+#include "segment_text.h"
 #include "text.h"
 
 namespace pelage {
@@ -123,12 +125,39 @@ void runFlood(Workspace& workspace, Words& words) {
         throw std::runtime_error("no flood knows " + inQuotes(stopped));
     }
     expectEnd(words);
+    if (toolInfo(brush.tool).needsPath)
+        throw std::runtime_error(std::string(toolInfo(brush.tool).name) +
+                                 " goes by the path of a stroke; a flood has none");
     if (brush.tool == Tool::comb && direction == vec3(0.0f))
         throw std::runtime_error("a flood of comb needs a direction");
     editor.edit([&, &of = brush](Document& document) {
         flood(*workspace.query, document.groom, of, direction);
     });
     editor.commit(std::string("Flood ") + toolInfo(brush.tool).name);
+}
+
+void runReset(Workspace& workspace, Words& words) {
+    Editor& editor = editorOf(workspace);
+    const ToolInfo& tool = toolNamed(words.next());
+    expectEnd(words);
+    editor.edit([&](Document& document) { reset(*document.skin, document.groom, tool.tool); });
+    editor.commit(std::string("Reset ") + tool.name);
+}
+
+void runSegmentLine(Workspace& workspace, Words& words) {
+    runSegment(editorOf(workspace), words);
+}
+
+void runComb(Workspace& workspace, Words& words) { runHeadToTail(editorOf(workspace), words); }
+
+void runRegion(Workspace& workspace, Words& words) {
+    Editor& editor = editorOf(workspace);
+    const auto [region, change] = regionFromWords(words);
+    expectEnd(words);
+    Groom groom = editor.document().groom;
+    applyRegion(*workspace.query, groom, region, change);
+    editor.edit([&](Document& document) { document.groom = std::move(groom); });
+    editor.commit(regionLabel(region, change));
 }
 
 void runUndo(Workspace& workspace, Words& words) {
@@ -151,15 +180,19 @@ struct Command {
     const char* name;
     void (*run)(Workspace&, Words&);
 };
-constexpr std::array<Command, 9> kCommands{{{"open", runOpen},
-                                            {"animal", runAnimal},
-                                            {"preset", runPreset},
-                                            {"set", runSet},
-                                            {"stroke", runStroke},
-                                            {"flood", runFlood},
-                                            {"undo", runUndo},
-                                            {"redo", runRedo},
-                                            {"save", runSave}}};
+constexpr std::array<Command, 13> kCommands{{{"open", runOpen},
+                                             {"animal", runAnimal},
+                                             {"preset", runPreset},
+                                             {"set", runSet},
+                                             {"stroke", runStroke},
+                                             {"flood", runFlood},
+                                             {"reset", runReset},
+                                             {"segment", runSegmentLine},
+                                             {"comb", runComb},
+                                             {"region", runRegion},
+                                             {"undo", runUndo},
+                                             {"redo", runRedo},
+                                             {"save", runSave}}};
 
 void runText(Workspace& workspace, const std::string& path, std::string_view text) {
     for (std::size_t number = 1; !text.empty(); ++number) {

@@ -19,15 +19,6 @@ std::optional<std::size_t> place(std::span<const char* const> names, std::string
     return std::nullopt;
 }
 
-const ToolInfo& toolNamed(std::string_view word) {
-    std::string known;
-    for (const ToolInfo& row : tools()) {
-        if (word == row.name) return row;
-        known += std::string(known.empty() ? "" : ", ") + row.name;
-    }
-    throw std::runtime_error("no tool " + inQuotes(word) + "; there are " + known);
-}
-
 float numberAfter(Words& words, std::string_view what, float least, float greatest) {
     const std::string_view word = words.next();
     const std::optional<float> number = floatFromText(word);
@@ -39,12 +30,25 @@ float numberAfter(Words& words, std::string_view what, float least, float greate
 
 }  // namespace
 
+const ToolInfo& toolNamed(std::string_view word) {
+    std::string known;
+    for (const ToolInfo& row : tools()) {
+        if (word == row.name) return row;
+        known += std::string(known.empty() ? "" : ", ") + row.name;
+    }
+    throw std::runtime_error("no tool " + inQuotes(word) + "; there are " + known);
+}
+
 std::string toolText(const Brush& brush) {
     const ToolInfo& tool = toolInfo(brush.tool);
     std::string text = tool.name;
-    if (tool.hasModes || brush.mode == Mode::subtract)
-        text += std::string(" ") + modeNames()[static_cast<std::size_t>(brush.mode)];
-    if (tool.hasModes && brush.mode == Mode::set) text += ' ' + floatText(brush.value);
+    const Mode mode = tool.add ? brush.mode : Mode::set;  // cut has no other
+    if (tool.hasSet || mode == Mode::subtract)
+        text += std::string(" ") + modeNames()[static_cast<std::size_t>(mode)];
+    if (tool.hasSet && mode == Mode::set) text += ' ' + floatText(brush.value);
+    if (brush.tool == Tool::tint && mode != Mode::subtract)
+        text += " color " + floatText(brush.color.r) + ' ' + floatText(brush.color.g) + ' ' +
+                floatText(brush.color.b);
     return text + " strength " + floatText(brush.strength);
 }
 
@@ -84,12 +88,16 @@ BrushWords brushFromWords(Words& words, bool ofStroke) {
     Brush& brush = found.brush;
     brush.tool = toolNamed(words.next()).tool;
     if (!ofStroke) brush.strength = 1.0f;
-    bool radius = false;
+    const ToolInfo& tool = toolInfo(brush.tool);
+    bool radius = false, value = false;
     for (std::string_view word = words.next();; word = words.next()) {
         if (const auto mode = place(modeNames(), word)) {
             brush.mode = static_cast<Mode>(*mode);
-            const float most = brush.tool == Tool::length ? kMost : 1.0f;
-            if (brush.mode == Mode::set) brush.value = numberAfter(words, word, 0.0f, most);
+            const float most = tool.ofLength ? kMost : 1.0f;
+            value = brush.mode == Mode::set;
+            if (value) brush.value = numberAfter(words, word, 0.0f, most);
+        } else if (brush.tool == Tool::tint && word == "color") {
+            for (int i = 0; i < 3; ++i) brush.color[i] = numberAfter(words, word, 0.0f, 1.0f);
         } else if (ofStroke && word == "radius") {
             brush.radius = numberAfter(words, word, 1e-9f, kMost);
             radius = true;
@@ -111,6 +119,8 @@ BrushWords brushFromWords(Words& words, bool ofStroke) {
             break;
         }
     }
+    if (tool.hasSet && !tool.add && !value)
+        throw std::runtime_error(std::string(tool.name) + " needs set and a value");
     if (ofStroke && !radius) throw std::runtime_error("the stroke says no radius");
     return found;
 }

@@ -31,6 +31,9 @@ private:
     std::string_view rest_;
 };
 
+// The row of the tool table. Throws std::runtime_error that lists the tools.
+const ToolInfo& toolNamed(std::string_view word);
+
 struct BrushWords {
     Brush brush;
     std::string_view stopped;  // the word that no brush knows; empty at the end of the line

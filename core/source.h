@@ -52,6 +52,7 @@ struct SourceFur {
     std::vector<float> length;
     std::vector<float> density;
     std::vector<vec3> direction;
+    std::vector<vec3> tint;
 };
 
 struct Source {

@@ -52,6 +52,7 @@ void finishSource(Source& source, const std::string& file) {
         complete(source.fur->length, count, 0.0f);
         complete(source.fur->density, count, 1.0f);
         complete(source.fur->direction, count, vec3(0.0f));
+        complete(source.fur->tint, count, vec3(1.0f));
     }
     checkPlaces(source, file);
     for (const SourcePart& part : source.parts) {

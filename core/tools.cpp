@@ -5,19 +5,36 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 
 namespace pelage {
 namespace {
 
-constexpr std::array<ToolInfo, 5> kTools{{
-    {Tool::length, "length", "Length", "Grows, shortens or sets the length of the hair.", true,
-     0.0f, 0.5f},
-    {Tool::density, "density", "Density", "Changes how many of the hairs grow.", true, 0.0f, 1.0f},
-    {Tool::comb, "comb", "Comb", "Lays the hair along the stroke and keeps its length.", false,
+constexpr std::array<ToolInfo, kToolCount> kTools{{
+    {Tool::length, "length", "Length", "Grows, shortens or sets the length of the hair.", "Add",
+     "Subtract", true, true, false, 0.0f, 0.5f},
+    {Tool::cut, "cut", "Cut", "Shortens longer hair to a length; shorter hair stays.", nullptr,
+     nullptr, true, true, false, 0.0f, 0.5f},
+    {Tool::density, "density", "Density", "Changes how many of the hairs grow.", "Add", "Subtract",
+     true, false, false, 0.0f, 1.0f},
+    {Tool::comb, "comb", "Comb", "Lays the hair along the stroke and keeps its length.", "Along",
+     "Against", false, false, false, 0.0f, 1.0f},
+    {Tool::part, "part", "Part", "Lays the hair away from the stroke on both sides.", "Away",
+     "Towards", false, false, true, 0.0f, 1.0f},
+    {Tool::twist, "twist", "Twist", "Turns the hair about the normal, a quarter turn at most.",
+     "Left", "Right", false, false, false, 0.0f, 1.0f},
+    {Tool::clump, "clump", "Clump", "Gathers the hair over the middle of the stroke.", "Gather",
+     "Spread", false, false, true, 0.0f, 1.0f},
+    {Tool::puff, "puff", "Puff", "Makes the hair stand up.", "Up", "Down", false, false, false,
      0.0f, 1.0f},
-    {Tool::smooth, "smooth", "Smooth", "Evens out length, density and direction.", false, 0.0f,
+    {Tool::flatten, "flatten", "Flatten", "Lays the hair down the way it leans.", "Down", "Up",
+     false, false, false, 0.0f, 1.0f},
+    {Tool::smooth, "smooth", "Smooth", "Evens out length, density, direction and tint.", nullptr,
+     nullptr, false, false, false, 0.0f, 1.0f},
+    {Tool::tint, "tint", "Tint", "Colors the hair.", "Color", "Clear", false, false, false, 0.0f,
      1.0f},
-    {Tool::mask, "mask", "Mask", "Protects hair from the other brushes.", true, 0.0f, 1.0f},
+    {Tool::mask, "mask", "Mask", "Protects hair from the other brushes.", "Add", "Subtract", true,
+     false, false, 0.0f, 1.0f},
 }};
 constexpr std::array<const char*, 3> kModes{"add", "subtract", "set"};
 constexpr std::array<const char*, 4> kFalloffs{"smooth", "linear", "sharp", "constant"};
@@ -25,6 +42,9 @@ constexpr std::array<const char*, 4> kFalloffs{"smooth", "linear", "sharp", "con
 constexpr float kLengthStep =
     0.04f;  // share of the skin's size by which one full stroke grows hair
 constexpr float kGreatestLength = 1e6f;
+constexpr float kLeastRadius = 1e-3f;  // of the skin's size; bounds the number of comb steps
+constexpr float kMiddle = 0.1f;        // of the radius, where part and clump fade out
+constexpr float kQuarterTurn = 0.5f * std::numbers::pi_v<float>;
 
 float changed(float before, const Brush& brush, float share, float step, float value) {
     switch (brush.mode) {
@@ -61,14 +81,86 @@ vec3 onTangentPlane(vec3 path, vec3 normal) {
     return left > 1e-3f ? path / left : vec3(0.0f);
 }
 
+float cutTo(const Skin& skin, float before, const Brush& brush, uint v, float share) {
+    const float most = brush.value / skin.frames[skin.vertices[v].frame].scale;
+    if (!(before > most)) return before;
+    return std::clamp(glm::mix(before, most, share), 0.0f, before);
+}
+
+// In the mesh, of one in the world.
+vec3 inMesh(const Skin& skin, uint v, FurVertex fur, vec3 direction) {
+    fur.direction = shortened(direction);
+    return shortened(furToMesh(skin, v, fur).direction);
+}
+
 vec3 combed(const Skin& skin, const FurVertex& before, const Brush& brush, uint v,
             const Touching& touching, float share) {
     vec3 target = onTangentPlane(touching.path, skin.vertices[v].normal);
     if (target == vec3(0.0f)) return before.direction;
     if (brush.mode == Mode::subtract) target = -target;
-    FurVertex fur = furToWorld(skin, v, before);
-    fur.direction = shortened(glm::mix(fur.direction, target, share));
-    return shortened(furToMesh(skin, v, fur).direction);
+    const FurVertex fur = furToWorld(skin, v, before);
+    return inMesh(skin, v, fur, glm::mix(fur.direction, target, share));
+}
+
+// The way from the path to the vertex in the tangent plane.
+struct Aside {
+    vec3 heading{0.0f};     // unit, or zero on the path
+    float distance = 0.0f;  // m
+    float fade = 0.0f;      // [0,1] 0 on the path, where the heading is that of rounding errors
+};
+
+Aside asideOf(const Skin& skin, const Brush& brush, uint v, const Touching& touching) {
+    const vec3 normal = skin.vertices[v].normal;
+    const vec3 offset = touching.offset - glm::dot(touching.offset, normal) * normal;
+    const float distance = glm::length(offset);
+    if (!(distance > 0.0f) || !std::isfinite(distance)) return {};
+    return {offset / distance, distance,
+            std::min(1.0f, distance / (kMiddle * workingRadius(skin, brush)))};
+}
+
+vec3 parted(const Skin& skin, const FurVertex& before, const Brush& brush, uint v,
+            const Touching& touching, float share) {
+    const Aside aside = asideOf(skin, brush, v, touching);
+    const float side = brush.mode == Mode::subtract ? -aside.fade : aside.fade;
+    const FurVertex fur = furToWorld(skin, v, before);
+    return inMesh(skin, v, fur, glm::mix(fur.direction, side * aside.heading, share));
+}
+
+vec3 clumped(const Skin& skin, const FurVertex& before, const Brush& brush, uint v,
+             const Touching& touching, float share) {
+    const Aside aside = asideOf(skin, brush, v, touching);
+    if (!(aside.distance > 0.0f)) return before.direction;
+    const FurVertex fur = furToWorld(skin, v, before);
+    const float lean = aside.distance / std::max({fur.furLength, aside.distance,
+                                                  kMiddle * workingRadius(skin, brush)});
+    const float across = glm::dot(fur.direction, aside.heading);
+    const float target = brush.mode == Mode::subtract ? lean : -lean;
+    const float change = target - aside.fade * across;
+    return inMesh(skin, v, fur, fur.direction + share * change * aside.heading);
+}
+
+vec3 twisted(const Skin& skin, const FurVertex& before, const Brush& brush, uint v, float turn) {
+    const vec3 axis = skin.vertices[v].normal;
+    if (axis == vec3(0.0f) || before.direction == vec3(0.0f)) return before.direction;
+    const float angle = (brush.mode == Mode::subtract ? -turn : turn) * kQuarterTurn;
+    const FurVertex fur = furToWorld(skin, v, before);
+    const vec3 d = fur.direction;  // Rodrigues' rotation
+    return inMesh(skin, v, fur,
+                  d * std::cos(angle) + glm::cross(axis, d) * std::sin(angle) +
+                      axis * (glm::dot(axis, d) * (1.0f - std::cos(angle))));
+}
+
+vec3 flattened(const Skin& skin, const FurVertex& before, uint v, float share) {
+    const FurVertex fur = furToWorld(skin, v, before);
+    const vec3 heading = onTangentPlane(fur.direction, skin.vertices[v].normal);
+    if (heading == vec3(0.0f)) return before.direction;
+    return inMesh(skin, v, fur, glm::mix(fur.direction, heading, share));
+}
+
+// Up or down.
+vec3 stood(const Skin& skin, const FurVertex& before, const Brush& brush, uint v, float share) {
+    const bool up = (brush.tool == Tool::puff) != (brush.mode == Mode::subtract);
+    return up ? (1.0f - share) * before.direction : flattened(skin, before, v, share);
 }
 
 // Adds differences and mixes no values, so that an even field stays as it is to the last bit.
@@ -87,9 +179,15 @@ FurVertex smoothed(const Skin& skin, const FurVertex& old, uint v, const FurVert
     return fur;
 }
 
+vec3 tinted(vec3 before, const Brush& brush, float share) {
+    const vec3 target = brush.mode == Mode::subtract ? vec3(1.0f) : brush.color;
+    return glm::clamp(before + share * (target - before), vec3(0.0f), vec3(1.0f));
+}
+
 bool finite(const FurVertex& fur) {
     return std::isfinite(fur.furLength) && std::isfinite(fur.density) &&
-           std::isfinite(glm::dot(fur.direction, fur.direction));
+           std::isfinite(glm::dot(fur.direction, fur.direction)) &&
+           std::isfinite(glm::dot(fur.tint, fur.tint));
 }
 
 }  // namespace
@@ -104,6 +202,20 @@ const ToolInfo& toolInfo(Tool tool) {
 
 std::span<const char* const> modeNames() { return kModes; }
 std::span<const char* const> falloffNames() { return kFalloffs; }
+
+float workingRadius(const Skin& skin, const Brush& brush) {
+    return std::max(brush.radius, kLeastRadius * skin.size());
+}
+
+FurVertex heldBack(FurVertex after, const FurVertex& before, float held) {
+    if (held <= 0.0f) return after;
+    if (held >= 1.0f) return before;
+    after.furLength = glm::mix(after.furLength, before.furLength, held);
+    after.density = glm::mix(after.density, before.density, held);
+    after.direction = glm::mix(after.direction, before.direction, held);
+    after.tint += held * (before.tint - after.tint);
+    return after;
+}
 
 FurVertex brushedFur(const Skin& skin, const Groom& before, const Brush& brush, uint v,
                      const Touching& touching) {
@@ -121,21 +233,35 @@ FurVertex brushedFur(const Skin& skin, const Groom& before, const Brush& brush, 
             fur.density =
                 std::clamp(changed(old.density, brush, share, 1.0f, brush.value), 0.0f, 1.0f);
             break;
+        case Tool::cut:
+            fur.furLength = cutTo(skin, old.furLength, brush, v, share);
+            break;
         case Tool::comb:
             fur.direction = combed(skin, old, brush, v, touching, share);
+            break;
+        case Tool::part:
+            fur.direction = parted(skin, old, brush, v, touching, share);
+            break;
+        case Tool::twist:
+            fur.direction = twisted(skin, old, brush, v, touching.turn * brush.strength);
+            break;
+        case Tool::clump:
+            fur.direction = clumped(skin, old, brush, v, touching, share);
+            break;
+        case Tool::puff:
+        case Tool::flatten:
+            fur.direction = stood(skin, old, brush, v, share);
             break;
         case Tool::smooth:
             fur = smoothed(skin, old, v, touching.around, share);
             break;
+        case Tool::tint:
+            fur.tint = tinted(old.tint, brush, share);
+            break;
         case Tool::mask:
             break;
     }
-    if (held > 0.0f) {
-        fur.furLength = glm::mix(fur.furLength, old.furLength, held);
-        fur.density = glm::mix(fur.density, old.density, held);
-        fur.direction = glm::mix(fur.direction, old.direction, held);
-        fur.tint = glm::mix(fur.tint, old.tint, held);
-    }
+    fur = heldBack(fur, old, held);
     // A singular frame or a field from a hostile file may have no finite answer.
     return finite(fur) ? fur : old;
 }

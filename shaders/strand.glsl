@@ -35,6 +35,11 @@ bool finite1(float x) { return (floatBitsToUint(x) & 0x7fffffffu) < 0x7e000000u;
 
 bool finite3(vec3 v) { return finite1(v.x) && finite1(v.y) && finite1(v.z); }
 
+// x inside a range; its least value where x is infinite or NaN.
+float within(float x, float least, float greatest) {
+    return finite1(x) ? min(max(x, least), greatest) : least;
+}
+
 // v as a unit vector; `fallback` where v has no direction: zero, tiny, infinite or NaN.
 vec3 safeUnit(vec3 v, vec3 fallback) {
     float square = dot(v, v);
@@ -155,7 +160,7 @@ Strand bendStrand(vec3 root, vec3 n, vec3 painted, float spineLength, Coat coat,
                   vec3 pull) {
     vec3 w = weightlessDirection(n, painted, coat, id);
     float c = max(0.0f, dot(w, n));
-    float floppiness = min(max(1.0f - coat.stiffness, 0.02f), 1.0f);
+    float floppiness = within(1.0f - coat.stiffness, 0.02f, 1.0f);
     float load = floppiness * c;
 
     vec3 tangent = painted - dot(painted, n) * n;
@@ -174,11 +179,12 @@ Strand bendStrand(vec3 root, vec3 n, vec3 painted, float spineLength, Coat coat,
     vec3 bend = cross(end, w);
     s.binormal = dot(bend, bend) > 1e-12f ? safeUnit(bend, anyTangent(w))
                                           : safeUnit(cross(tangent, w), anyTangent(w));
-    float twist = 3.1415927f * coat.normalRandomness * (2.0f * rand01(id + kDrawTwist) - 1.0f);
+    float twist = 3.1415927f * within(coat.normalRandomness, 0.0f, 1.0f) *
+                  (2.0f * rand01(id + kDrawTwist) - 1.0f);
     s.cosTwist = cos(twist);
     s.sinTwist = sin(twist);
     s.normal = n;
-    s.tone = 1.0f + coat.colorNoise * (2.0f * rand01(id + kDrawTone) - 1.0f);
+    s.tone = 1.0f + within(coat.colorNoise, 0.0f, 1.0f) * (2.0f * rand01(id + kDrawTone) - 1.0f);
     s.width = 0.0f;
     s.coat = 0u;
     s.keep = 0.0f;
@@ -188,15 +194,16 @@ Strand bendStrand(vec3 root, vec3 n, vec3 painted, float spineLength, Coat coat,
     s.guideWeightless = s.guideOffset;
     s.guideEnd = s.guideOffset;
     s.clump = 0.0f;
-    s.clumpShape = coat.clumpShape;
+    s.clumpShape = within(coat.clumpShape, 0.5f, 4.0f);
     s.curl = 0.0f;
-    s.curlTurns = coat.curlTurns;
-    s.frizz = coat.frizz * spineLength;
-    s.frizzWaves = coat.frizzWaves;
+    s.curlTurns = within(coat.curlTurns, 0.0f, 20.0f);
+    s.frizz = within(coat.frizz, 0.0f, 0.5f) * spineLength;
+    s.frizzWaves = within(coat.frizzWaves, 1.0f, 16.0f);
     if (coat.curlRadius > 0.0f) {
-        float longer = arcOfHelix(coat.curlRadius, coat.curlTurns);
+        float radius = within(coat.curlRadius, 0.0f, 0.5f);
+        float longer = arcOfHelix(radius, s.curlTurns);
         s.scale = s.scale / longer;
-        s.curl = coat.curlRadius * spineLength / longer;
+        s.curl = radius * spineLength / longer;
     }
     return s;
 }
@@ -204,7 +211,7 @@ Strand bendStrand(vec3 root, vec3 n, vec3 painted, float spineLength, Coat coat,
 // The hair gathered to its guide: at the tip by the coat's share, towards the root less.
 Strand gatherStrand(Strand s, Strand guide, Coat coat) {
     if (!(guide.spineLength > 0.0f)) return s;
-    s.clump = coat.clump;
+    s.clump = within(coat.clump, 0.0f, 1.0f);
     s.guideOffset = guide.origin - s.origin;
     s.guideWeightless = guide.scale * guide.weightless;
     s.guideEnd = guide.scale * guide.end;
@@ -246,7 +253,8 @@ Strand growStrand(Root root, SkinVertex a, SkinVertex b, SkinVertex c, FurVertex
     if (over) coat = fur.over;
     float own = lengthAt(root, fa.furLength, fb.furLength, fc.furLength, fur);
     Strand s = bendStrand(position, n, painted, own, coat, root.id, pullAt(fur, position, seconds));
-    s.width = coat.width > 0.0f ? coat.width : autoWidth;
+    float width = within(coat.width, 0.0f, 10.0f);
+    s.width = width > 0.0f ? width : autoWidth;
     s.coat = over ? 0u : 1u;
     s.keep = keepAt(root, fa.density, fb.density, fc.density);
     return s;

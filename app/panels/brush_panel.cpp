@@ -1,5 +1,6 @@
 // brush_panel.cpp -- the left column: the tools and the brush.
 #include <cstdio>
+#include <span>
 #include <string>
 
 #include "app/actions.h"
@@ -12,7 +13,7 @@ namespace {
 void toolButton(App& app, const ToolInfo& info, float width) {
     const Action& action = actionNamed("brush." + std::string(info.name));
     const bool on = app.session.tool == info.tool;
-    const float height = app.theme.px(34), side = app.theme.px(18);
+    const float height = app.theme.px(30), side = app.theme.px(16);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::PushID(info.name);
     ImGui::PushStyleColor(ImGuiCol_Button, on ? color::kAccentDeep : color::kRaised);
@@ -24,26 +25,22 @@ void toolButton(App& app, const ToolInfo& info, float width) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImU32 ink = ImGui::GetColorU32(on ? color::kAccent : color::kText);
     const float inset = 0.5f * (height - side);
-    drawToolIcon(draw, info.tool, {corner.x + app.theme.px(10), corner.y + inset}, side, ink);
+    drawToolIcon(draw, info.tool, {corner.x + app.theme.px(7), corner.y + inset}, side, ink);
     const float text = corner.y + 0.5f * (height - ImGui::GetTextLineHeight());
-    draw.AddText({corner.x + app.theme.px(40), text}, ImGui::GetColorU32(ImGuiCol_Text),
+    draw.AddText({corner.x + app.theme.px(29), text}, ImGui::GetColorU32(ImGuiCol_Text),
                  info.label);
-    const std::string key = shortcutText(action.keys[1]);
-    draw.AddText({corner.x + width - app.theme.px(20), text},
+    const std::string key = shortcutText(action.keys[action.keys[1].key != 0 ? 1 : 0]);
+    draw.AddText({corner.x + width - app.theme.px(15), text},
                  ImGui::GetColorU32(ImGuiCol_TextDisabled), key.c_str());
 }
 
 void drawModes(App& app, Brush& brush) {
     const ToolInfo& info = toolInfo(brush.tool);
-    if (info.hasModes) {
-        constexpr const char* kModes[] = {"Add", "Subtract", "Set"};
-        if (const auto mode = choiceRow(uiOf(app), "mode", kModes, static_cast<int>(brush.mode)))
-            brush.mode = static_cast<Mode>(*mode);
-    } else if (brush.tool == Tool::comb) {
-        constexpr const char* kModes[] = {"Along", "Against"};
-        if (const auto mode = choiceRow(uiOf(app), "mode", kModes, static_cast<int>(brush.mode)))
-            brush.mode = static_cast<Mode>(*mode);
-    }
+    if (!info.add) return;
+    const char* labels[] = {info.add, info.subtract, "Set"};
+    const std::span shown(labels, info.hasSet ? 3u : 2u);
+    if (const auto mode = choiceRow(uiOf(app), "mode", shown, static_cast<int>(brush.mode)))
+        brush.mode = static_cast<Mode>(*mode);
 }
 
 void drawNumbers(App& app, Brush& brush) {
@@ -69,17 +66,31 @@ void drawNumbers(App& app, Brush& brush) {
                                                  "brush. Shift+[ and Shift+] or Shift+F."}))
         brush.strength = *strength;
     const ToolInfo& info = toolInfo(brush.tool);
-    if (!info.hasModes) return;
-    const bool length = brush.tool == Tool::length;
+    if (brush.tool == Tool::tint) {
+        static constexpr Parameter kColor{"tint",
+                                          "Color",
+                                          "",
+                                          "What is painted; it multiplies the "
+                                          "colors of the coat.",
+                                          ParameterKind::color,
+                                          0.0f,
+                                          1.0f,
+                                          0};
+        if (const auto picked = parameterRow(ui, kColor, brush.color, vec3(1.0f), size))
+            brush.color = glm::clamp(*picked, vec3(0.0f), vec3(1.0f));
+    }
+    if (!info.hasSet) return;
+    const bool length = info.ofLength;
     const float scale = length ? unit.perMetre : 1.0f;
     const float first = !length ? 1.0f : app.isOpen() ? firstLength(app.skin()) : brush.value;
+    const char* help = info.add ? "What Set paints." : "Longer hair is cut to this length.";
     ImGui::BeginDisabled(brush.mode != Mode::set);
-    if (const auto value = numberRow(ui, "Value", brush.value * scale,
+    if (const auto value = numberRow(ui, info.add ? "Value" : "Length", brush.value * scale,
                                      {.least = info.least * (length ? size : 1.0f) * scale,
                                       .greatest = info.greatest * (length ? size : 1.0f) * scale,
                                       .fallback = first * scale,
                                       .format = length ? format : "%.2f",
-                                      .help = "What Set paints."}))
+                                      .help = help}))
         brush.value = *value / scale;
     ImGui::EndDisabled();
 }
@@ -98,11 +109,16 @@ void drawFlood(App& app, const Brush& brush) {
         if (const auto other = choiceList(ui, "##direction", kNames, chosen))
             app.session.floodDirection = kDirections[*other];
     }
-    const Action& action = actionNamed("brush.flood");
-    ImGui::BeginDisabled(!isEnabled(app, action));
-    if (plainButton(ui, "Flood the entire skin", width)) perform(app, action);
-    ImGui::EndDisabled();
-    tip(ui, action.help);
+    constexpr struct {
+        const char *name, *label;
+    } kButtons[] = {{"brush.flood", "Flood the entire skin"}, {"brush.reset", "Reset"}};
+    for (const auto& [name, label] : kButtons) {
+        const Action& action = actionNamed(name);
+        ImGui::BeginDisabled(!isEnabled(app, action));
+        if (plainButton(ui, label, width)) perform(app, action);
+        ImGui::EndDisabled();
+        tip(ui, action.help);
+    }
 }
 
 }  // namespace
@@ -114,7 +130,11 @@ void drawBrushPanel(App& app, const Layout& layout) {
     Brush& brush = app.session.brush();
     caption(ui, "BRUSHES");
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, app.theme.px(3)});
-    for (const ToolInfo& info : tools()) toolButton(app, info, ImGui::GetContentRegionAvail().x);
+    const float gap = app.theme.px(3), half = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
+    for (const ToolInfo& info : tools()) {  // in two columns
+        toolButton(app, info, half);
+        if (static_cast<int>(info.tool) % 2 == 0) ImGui::SameLine(0.0f, gap);
+    }
     ImGui::PopStyleVar();
 
     caption(ui, "EFFECT");
@@ -142,7 +162,7 @@ void drawBrushPanel(App& app, const Layout& layout) {
     ImGui::Dummy({0, app.theme.px(4)});
     ImGui::PushFont(app.theme.small);
     ImGui::PushStyleColor(ImGuiCol_Text, color::kDim);
-    ImGui::TextWrapped("Ctrl turns add into subtract.\nShift smooths.");
+    ImGui::TextWrapped("Ctrl exchanges the two ways of the brush.\nShift smooths.");
     ImGui::PopStyleColor();
     ImGui::PopFont();
     ImGui::End();

@@ -30,7 +30,11 @@ void drawSidePanel(App& app, const Layout& layout) {
         const char* label;
         void (*draw)(App&);
     };
-    constexpr Tab kTabs[] = {{"Coats", drawCoats}, {"View", drawView}, {"History", drawHistory}};
+    constexpr Tab kTabs[] = {{"Coats", drawCoats},
+                             {"View", drawView},
+                             {"History", drawHistory},
+                             {"Body", drawSegments},
+                             {"Regions", drawRegions}};
     if (app.isOpen() && ImGui::BeginTabBar("tabs")) {
         for (const Tab& tab : kTabs) {
             if (!ImGui::BeginTabItem(tab.label)) continue;

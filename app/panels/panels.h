@@ -15,10 +15,12 @@ struct Layout {
 float drawMenu(App& app);  // its height
 void drawToolbar(App& app, const Layout& layout);
 void drawBrushPanel(App& app, const Layout& layout);
-void drawSidePanel(App& app, const Layout& layout);  // tabs: coats, view, history
+void drawSidePanel(App& app, const Layout& layout);  // tabs: coats, view, history, body, regions
 void drawCoats(App& app);
+void drawRegions(App& app);
 void drawView(App& app);
 void drawHistory(App& app);
+void drawSegments(App& app);
 void drawStatus(App& app, const Layout& layout);
 void drawDialogs(App& app);
 void drawHelp(App& app);

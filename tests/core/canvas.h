@@ -38,7 +38,8 @@ inline Brush brushOf(Tool tool, Mode mode = Mode::add, float radius = 0.2f, floa
     brush.mode = mode;
     brush.radius = radius;
     brush.strength = strength;
-    brush.value = 0.25f;
+    brush.value = tool == Tool::cut ? 0.01f : 0.25f;
+    brush.color = vec3(0.75f, 0.5f, 0.25f);
     return brush;
 }
 
@@ -50,6 +51,7 @@ inline void shuffle(Canvas& canvas, uint seed) {
         fur.direction = 0.5f * draws.inBox(1.0f);
         fur.furLength = draws.in(0.01f, 0.1f);
         fur.density = draws.in(0.1f, 0.9f);
+        fur.tint = 0.5f + draws.inBox(0.5f);
     }
 }
 
@@ -58,7 +60,8 @@ inline float largestDifference(const Groom& a, const Groom& b) {
     for (std::size_t v = 0; v < a.fur.size(); ++v) {
         const FurVertex &p = a.fur[v], &q = b.fur[v];
         most = std::max({most, std::abs(p.furLength - q.furLength), std::abs(p.density - q.density),
-                         glm::distance(p.direction, q.direction), std::abs(a.mask[v] - b.mask[v])});
+                         glm::distance(p.direction, q.direction), glm::distance(p.tint, q.tint),
+                         std::abs(a.mask[v] - b.mask[v])});
     }
     return most;
 }
@@ -77,7 +80,10 @@ inline std::vector<vec3> straight(vec3 from, vec3 to, int parts) {
     return path;
 }
 
-inline const std::vector<Tool> kAllTools{Tool::length, Tool::density, Tool::comb, Tool::smooth,
-                                         Tool::mask};
+inline const std::vector<Tool> kAllTools = [] {
+    std::vector<Tool> all;
+    for (const ToolInfo& info : tools()) all.push_back(info.tool);
+    return all;
+}();
 
 }  // namespace pelage::test

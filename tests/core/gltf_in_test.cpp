@@ -358,7 +358,10 @@ TEST(GltfFur, ValuesThatNoFurHasAreChangedAndCounted) {
     attributes["_FUR_LENGTH"] = maker.add<float>({nan, -1, 2e6f}, "SCALAR", kFloat);
     attributes["_FUR_DENSITY"] = maker.add<float>({inf, 0.5f, 3}, "SCALAR", kFloat);
     attributes["_FUR_DIRECTION"] = maker.add<float>({nan, 0, 0, 0, 3, 0, 0, 0, 1}, "VEC3", kFloat);
+    attributes["_FUR_TINT"] = maker.add<float>({nan, 2, -1, 0, 0.5f, 1, inf, 1, 1}, "VEC3", kFloat);
     const Source source = readGltf(maker.glb(), "");
+    EXPECT_EQ(source.fur->tint, (std::vector<vec3>{{1, 1, 1}, {0, 0.5f, 1}, {1, 1, 1}}));
+    EXPECT_TRUE(warns(source, "4 values of fur_tint were out of range"));
     EXPECT_EQ(source.fur->length, (std::vector<float>{0, 0, 1e6f}));
     EXPECT_EQ(source.fur->density, (std::vector<float>{0, 0.5f, 1}));
     EXPECT_EQ(source.fur->direction, (std::vector<vec3>{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}}));

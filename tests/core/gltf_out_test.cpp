@@ -53,7 +53,7 @@ void expectRoundTrip(const Document& document, const ExportOptions& options = {}
 void takeAway(OrderedJson& json, const OrderedJson& before) {
     for (OrderedJson& mesh : json["meshes"])
         for (OrderedJson& primitive : mesh["primitives"])
-            for (const char* name : {"_FUR_LENGTH", "_FUR_DENSITY", "_FUR_DIRECTION"})
+            for (const char* name : {"_FUR_LENGTH", "_FUR_DENSITY", "_FUR_DIRECTION", "_FUR_TINT"})
                 primitive["attributes"].erase(name);
     for (const char* list : {"meshes", "nodes"})
         for (OrderedJson& object : json[list]) {
@@ -72,6 +72,37 @@ TEST(GltfOut, OpeningItRestoresTheFieldsWithTheMirrorToo) {
     options.compatibilityUvs = true;
     const Document document = painted(crowdedFile());
     expectSameFields(document, opened(groomedGlb(document, options)));
+}
+
+TEST(GltfOut, TintIsWrittenOnlyWhereSomeHairIsTinted) {
+    Document document = painted(crowdedFile());
+    const auto tints = [&] {
+        std::size_t count = 0;
+        const OrderedJson json = takeApart(groomedGlb(document)).json;
+        for (const OrderedJson& mesh : json["meshes"])
+            for (const OrderedJson& primitive : mesh["primitives"])
+                count += primitive["attributes"].contains("_FUR_TINT");
+        return count;
+    };
+    const std::size_t parts = document.skin->source->parts.size();
+    EXPECT_EQ(tints(), parts);
+    for (uint v = 0; v < document.groom.fur.size(); ++v)
+        document.groom.fur.edit(v).tint = vec3(1.0f);
+    EXPECT_EQ(tints(), 0u);
+    expectRoundTrip(document);
+    document.groom.fur.edit(1).tint = vec3(1.0f, 0.999999f, 1.0f);
+    EXPECT_EQ(tints(), parts);
+    expectRoundTrip(document);
+}
+
+TEST(GltfOut, ClearingTheTintTakesItOutOfTheFile) {
+    Document document = opened(groomedGlb(painted(crowdedFile())));
+    for (uint v = 0; v < document.groom.fur.size(); ++v)
+        document.groom.fur.edit(v).tint = vec3(1.0f);
+    const std::vector<std::byte> cleared = groomedGlb(document);
+    EXPECT_EQ(takeApart(cleared).json.dump().find("TINT"), std::string::npos);
+    EXPECT_EQ(takeApart(cleared).json.dump().find("fur tint"), std::string::npos);
+    EXPECT_EQ(groomedGlb(opened(cleared)), cleared);
 }
 
 TEST(GltfOut, CarriesTheJsonValueForValueInItsOrder) {
@@ -208,7 +239,7 @@ TEST(GltfOut, FieldsOfOtherProgramsAreReplacedAndTheFileStopsGrowing) {
     const auto first = groomedGlb(document);
     const OrderedJson attributes =
         takeApart(first).json["meshes"][0]["primitives"][0]["attributes"];
-    EXPECT_EQ(attributes.size(), 4u) << attributes;
+    EXPECT_EQ(attributes.size(), 5u) << attributes;
     expectSameFields(document, opened(first));
     EXPECT_EQ(groomedGlb(opened(first)), first);
 }

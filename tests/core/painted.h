@@ -28,6 +28,7 @@ inline void paint(Document& document, uint salt = 0) {
         fur.furLength = draw(0);
         fur.density = draw(1);
         fur.direction = (2.0f * vec3(draw(2), draw(3), draw(4)) - 1.0f) / std::sqrt(3.0f);
+        fur.tint = vec3(draw(5), draw(6), draw(7));
     }
     applyPreset(document.fur, presets()[salt % presets().size()]);
     document.fur.seed = 77 + salt;
@@ -47,6 +48,7 @@ inline void expectSameFields(const Document& a, const Document& b) {
         different += std::memcmp(&x.furLength, &y.furLength, sizeof(float)) != 0;
         different += std::memcmp(&x.density, &y.density, sizeof(float)) != 0;
         different += std::memcmp(&x.direction, &y.direction, sizeof(vec3)) != 0;
+        different += std::memcmp(&x.tint, &y.tint, sizeof(vec3)) != 0;
     }
     EXPECT_EQ(different, 0u);
     EXPECT_EQ(furToJson(a.fur), furToJson(b.fur));

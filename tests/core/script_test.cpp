@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <map>
 
 #include "core/coat.h"
 #include "core/text.h"
@@ -38,12 +39,13 @@ std::string errorOf(Workspace& workspace, std::string_view line) {
 
 Brush randomBrush(Draws& draws) {
     Brush brush;
-    brush.tool = static_cast<Tool>(draws.below(5));
+    brush.tool = static_cast<Tool>(draws.below(kToolCount));
     brush.mode = static_cast<Mode>(draws.below(3));
     brush.falloff = static_cast<Falloff>(draws.below(4));
     brush.radius = draws.in(0.05f, 0.8f);
     brush.strength = draws.in(0.0f, 1.0f);
     brush.value = draws.in(0.0f, 1.0f);
+    brush.color = 0.5f + draws.inBox(0.5f);
     brush.mirrorX = draws.below(2);
     brush.facingOnly = draws.below(3) > 0;
     return brush;
@@ -149,6 +151,15 @@ TEST(Script, ErrorNamesTheOffendingWordAndChangesNothing) {
         {"stroke comb radius 0.1 : 1 0 0 1 0 0 0 zero 0 0 0 1", "zero"},
         {"stroke density set 2 radius 0.1 : 1 0 0 1 0 0", "\"2\""},
         {"flood comb", "direction"},
+        {"flood part", "part goes by the path"},
+        {"flood clump subtract", "clump goes by the path"},
+        {"flood cut", "cut needs set"},
+        {"flood tint color 1 0", "\"\""},
+        {"flood tint color 1 2 0", "\"2\""},
+        {"flood length color 1 1 1", "color"},
+        {"reset", "no tool"},
+        {"reset hat", "hat"},
+        {"reset length now", "now"},
         {"flood comb direction 0 1", "\"\""},
         {"flood length radius 1", "radius"},
         {"flood length direction 1 0 0 more", "more"},
@@ -259,6 +270,63 @@ TEST(Script, FloodLineFloods) {
     runLine(workspace, floodLine(brush, {0.1f, -0.7f, 0.2f}));
     for (std::size_t v = 0; v < wanted.fur.size(); ++v)
         EXPECT_EQ(workspace.editor->document().groom.fur[v], wanted.fur[v]);
+}
+
+TEST(Script, FloodOfEachToolThatNeedsNoPathChangesTheField) {
+    for (const ToolInfo& info : tools()) {
+        if (info.needsPath || info.tool == Tool::smooth) continue;  // smooth: the field is even
+        Workspace workspace = onBall();
+        Brush brush;
+        brush.tool = info.tool;
+        brush.mode = info.tool == Tool::cut ? Mode::set : Mode::add;
+        brush.value = 0.01f;
+        brush.color = vec3(0.5f, 0.25f, 0.125f);
+        Groom wanted = workspace.editor->document().groom;
+        flood(*workspace.query, wanted, brush, {0.1f, -0.7f, 0.2f});
+        runLine(workspace, floodLine(brush, {0.1f, -0.7f, 0.2f}));
+        const Groom& after = workspace.editor->document().groom;
+        EXPECT_EQ(workspace.editor->stepCount(), 2u) << info.name;
+        for (std::size_t v = 0; v < wanted.fur.size(); ++v) {
+            ASSERT_EQ(after.fur[v], wanted.fur[v]) << info.name;
+            ASSERT_EQ(after.mask[v], wanted.mask[v]) << info.name;
+        }
+    }
+}
+
+TEST(Script, ResetBringsBackTheChannelsOfTheToolAndNoOthers) {
+    const std::map<Tool, std::string> channels{
+        {Tool::length, "l"},  {Tool::cut, "l"},       {Tool::density, "d"}, {Tool::comb, "v"},
+        {Tool::part, "v"},    {Tool::twist, "v"},     {Tool::clump, "v"},   {Tool::puff, "v"},
+        {Tool::flatten, "v"}, {Tool::smooth, "ldvt"}, {Tool::tint, "t"},    {Tool::mask, "m"}};
+    for (const ToolInfo& info : tools()) {
+        Workspace workspace = onBall();
+        for (const char* line : {"flood length set 0.5", "flood density set 0.25", "flood puff",
+                                 "flood tint color 0.5 0.25 0", "flood mask set 0.5"})
+            runLine(workspace, line);
+        const Groom before = workspace.editor->document().groom;
+        runLine(workspace, std::string("reset ") + info.name);
+        const Groom& after = workspace.editor->document().groom;
+        const Groom first = initialGroom(*workspace.editor->document().skin);
+        for (const std::size_t v : {std::size_t{0}, std::size_t{700}}) {
+            const auto has = [&](char channel) {
+                return channels.at(info.tool).find(channel) != std::string::npos;
+            };
+            const FurVertex &is = after.fur[v], &was = before.fur[v], &goal = first.fur[v];
+            // Half masked.
+            EXPECT_FLOAT_EQ(is.furLength,
+                            has('l') ? 0.5f * (was.furLength + goal.furLength) : was.furLength);
+            EXPECT_FLOAT_EQ(is.density,
+                            has('d') ? 0.5f * (was.density + goal.density) : was.density);
+            EXPECT_LT(glm::distance(is.direction, has('v') ? 0.5f * (was.direction + goal.direction)
+                                                           : was.direction),
+                      1e-6f)
+                << info.name;
+            EXPECT_LT(glm::distance(is.tint, has('t') ? 0.5f * (was.tint + vec3(1.0f)) : was.tint),
+                      1e-6f)
+                << info.name;
+            EXPECT_EQ(after.mask[v], has('m') ? 0.0f : 0.5f);
+        }
+    }
 }
 
 TEST(ScriptFile, ErrorSaysFileAndLine) {

@@ -1,0 +1,260 @@
+// region_text.cpp -- regions and their edits as words.
+#include "region_text.h"
+
+#include <array>
+#include <charconv>
+#include <optional>
+#include <span>
+#include <stdexcept>
+
+#include "text.h"
+
+namespace pelage {
+namespace {
+
+constexpr std::array<const char*, 8> kPlaces{"all",  "sphere", "box",    "segment",
+                                             "mask", "narrow", "curved", "lasso"};
+constexpr std::array<const char*, 3> kChannels{"length", "density", "direction"};
+constexpr std::array<const char*, 4> kActs{"scale", "set", "smooth", "randomise"};
+constexpr float kMost = 1e6f;  // m, and of factors; also keeps squares finite
+
+std::size_t placeOf(std::span<const char* const> names, std::string_view word, const char* what) {
+    std::string known;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (word == names[i]) return i;
+        known += std::string(i ? ", " : "") + names[i];
+    }
+    throw std::runtime_error(std::string("no ") + what + " " + inQuotes(word) + "; there are " +
+                             known);
+}
+
+float numberFrom(std::string_view word, std::string_view what, float least, float greatest) {
+    const std::optional<float> number = floatFromText(word);
+    if (!number || *number < least || *number > greatest)
+        throw std::runtime_error(std::string(what) + " " + inQuotes(word) + " is no number from " +
+                                 floatText(least) + " to " + floatText(greatest));
+    return *number;
+}
+
+float number(Words& words, std::string_view what, float least, float greatest = kMost) {
+    return numberFrom(words.next(), what, least, greatest);
+}
+
+vec3 point(Words& words, std::string_view what) {
+    vec3 read(0.0f);
+    for (int i = 0; i < 3; ++i) read[i] = number(words, what, -kMost);
+    return read;
+}
+
+void expectWord(Words& words, std::string_view expected) {
+    const std::string_view word = words.next();
+    if (word != expected)
+        throw std::runtime_error("expects " + std::string(expected) + " and not " + inQuotes(word));
+}
+
+std::string nameText(std::string_view name) {
+    std::string text;
+    for (const char c : name) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte > 0x20 && byte != 0x7f && byte != '%') {
+            text += c;
+            continue;
+        }
+        constexpr char kDigits[] = "0123456789ABCDEF";
+        text += {'%', kDigits[byte >> 4], kDigits[byte & 15]};
+    }
+    return text;
+}
+
+std::string nameFromText(std::string_view text) {
+    std::string name;
+    while (!text.empty()) {
+        unsigned byte = 0;
+        const bool escaped = text.front() == '%';
+        if (escaped) {
+            const char* begin = text.data() + 1;
+            if (text.size() < 3 || std::from_chars(begin, begin + 2, byte, 16).ptr != begin + 2)
+                throw std::runtime_error("no two hexadecimal digits after % in " + inQuotes(text));
+        }
+        name += escaped ? static_cast<char>(static_cast<unsigned char>(byte)) : text.front();
+        text.remove_prefix(escaped ? 3 : 1);
+    }
+    return name;
+}
+
+// The points of the lasso, up to the first word that is no number, which it returns.
+std::string_view readPolygon(Words& words, std::vector<vec2>& polygon) {
+    std::string_view word = words.next();
+    for (; floatFromText(word); word = words.next()) {
+        const float x = numberFrom(word, "points", -kMost, kMost);
+        polygon.push_back({x, number(words, "points", -kMost)});
+    }
+    return word;
+}
+
+// The region up to the colon.
+Region readRegion(Words& words) {
+    Region region;
+    region.where = static_cast<Where>(placeOf(kPlaces, words.next(), "region"));
+    std::optional<std::string_view> ahead;
+    switch (region.where) {
+        case Where::sphere:
+            region.center = point(words, "the centre");
+            expectWord(words, "radius");
+            region.radius = number(words, "radius", 0.0f);
+            break;
+        case Where::box:
+            region.center = point(words, "the centre");
+            expectWord(words, "half");
+            region.half = point(words, "half");
+            break;
+        case Where::segment:
+            region.segment = nameFromText(words.next());
+            break;
+        case Where::narrow:
+            region.width = number(words, "narrow", 0.0f);
+            break;
+        case Where::curved:
+            region.curvature = number(words, "curved", 0.0f, 1e9f);
+            break;
+        case Where::lasso: {
+            std::string_view word = words.next();
+            if (word == "eye") {
+                region.eye = point(words, "eye");
+                word = words.next();
+            }
+            if (word != "view") throw std::runtime_error("expects view and not " + inQuotes(word));
+            for (int i = 0; i < 16; ++i)
+                region.viewProjection[i / 4][i % 4] = number(words, "view", -1e30f, 1e30f);
+            expectWord(words, "points");
+            ahead = readPolygon(words, region.polygon);
+            break;
+        }
+        case Where::all:
+        case Where::mask:
+            break;
+    }
+    for (std::string_view word = ahead ? *ahead : words.next(); word != ":"; word = words.next()) {
+        if (word == "sizes") {
+            region.sizes = true;
+        } else if (word == "falloff") {
+            region.falloff = number(words, word, 0.0f, 1e9f);
+        } else if (word == "turn" && region.where == Where::box) {
+            region.turn = point(words, word);
+        } else {
+            throw std::runtime_error(word.empty() ? "the region has no : and no edit"
+                                                  : "no region knows " + inQuotes(word));
+        }
+    }
+    return region;
+}
+
+uint seedFrom(std::string_view word) {
+    uint seed = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), seed);
+    if (error != std::errc{} || end != word.data() + word.size())
+        throw std::runtime_error("seed " + inQuotes(word) + " is no number from 0 to 4294967295");
+    return seed;
+}
+
+RegionEdit readEdit(Words& words) {
+    RegionEdit change;
+    constexpr std::array<Channel, 3> kOrder{Channel::length, Channel::density, Channel::direction};
+    change.channel = kOrder[placeOf(kChannels, words.next(), "channel")];
+    change.act = static_cast<RegionAct>(placeOf(kActs, words.next(), "operation"));
+    if (change.act == RegionAct::scale) {
+        change.value = number(words, "scale", 0.0f);
+    } else if (change.act == RegionAct::set && change.channel == Channel::direction) {
+        change.direction = point(words, "set");
+    } else if (change.act == RegionAct::set) {
+        change.value = number(words, "set", 0.0f, change.channel == Channel::length ? kMost : 1.0f);
+    } else if (change.act == RegionAct::randomise || !words.done()) {
+        change.value = number(words, kActs[static_cast<std::size_t>(change.act)], 0.0f, 1.0f);
+    }
+    if (change.act == RegionAct::randomise && !words.done()) {
+        expectWord(words, "seed");
+        change.seed = seedFrom(words.next());
+    }
+    return change;
+}
+
+void add(std::string& text, vec3 numbers) {
+    for (int i = 0; i < 3; ++i) text += ' ' + floatText(numbers[i]);
+}
+
+std::string channelName(Channel channel) {
+    return channel == Channel::length    ? "length"
+           : channel == Channel::density ? "density"
+                                         : "direction";
+}
+
+std::string regionText(const Region& region) {
+    std::string text = kPlaces[static_cast<std::size_t>(region.where)];
+    switch (region.where) {
+        case Where::sphere:
+            add(text, region.center);
+            text += " radius " + floatText(region.radius);
+            break;
+        case Where::box:
+            add(text, region.center);
+            add(text += " half", region.half);
+            if (region.turn != vec3(0.0f)) add(text += " turn", region.turn);
+            break;
+        case Where::segment:
+            text += ' ' + nameText(region.segment);
+            break;
+        case Where::narrow:
+            text += ' ' + floatText(region.width);
+            break;
+        case Where::curved:
+            text += ' ' + floatText(region.curvature);
+            break;
+        case Where::lasso:
+            if (region.eye != vec3(0.0f)) add(text += " eye", region.eye);
+            text += " view";
+            for (int i = 0; i < 16; ++i)
+                text += ' ' + floatText(region.viewProjection[i / 4][i % 4]);
+            text += " points";
+            for (const vec2 at : region.polygon)
+                text += ' ' + floatText(at.x) + ' ' + floatText(at.y);
+            break;
+        case Where::all:
+        case Where::mask:
+            break;
+    }
+    if (region.sizes) text += " sizes";
+    if (region.falloff > 0.0f) text += " falloff " + floatText(region.falloff);
+    return text;
+}
+
+std::string editText(const RegionEdit& change) {
+    std::string text =
+        channelName(change.channel) + ' ' + kActs[static_cast<std::size_t>(change.act)];
+    if (change.act == RegionAct::set && change.channel == Channel::direction)
+        add(text, change.direction);
+    else
+        text += ' ' + floatText(change.value);
+    if (change.act == RegionAct::randomise && change.seed != 0)
+        text += " seed " + std::to_string(change.seed);
+    return text;
+}
+
+}  // namespace
+
+RegionWords regionFromWords(Words& words) {
+    RegionWords read;
+    read.region = readRegion(words);
+    read.change = readEdit(words);
+    return read;
+}
+
+std::string regionLine(const Region& region, const RegionEdit& change) {
+    return "region " + regionText(region) + " : " + editText(change);
+}
+
+std::string regionLabel(const Region& region, const RegionEdit& change) {
+    return std::string("Region ") + kPlaces[static_cast<std::size_t>(region.where)] + ": " +
+           channelName(change.channel) + ' ' + kActs[static_cast<std::size_t>(change.act)];
+}
+
+}  // namespace pelage

@@ -1,0 +1,741 @@
+// region_test.cpp -- which vertices a region holds, and what an edit of it leaves alone.
+#include "core/region.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "canvas.h"
+#include "core/narrow.h"
+#include "core/region_text.h"
+#include "core/script.h"
+#include "reading.h"
+
+namespace pelage {
+namespace {
+
+using test::Canvas;
+using test::Draws;
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
+
+Region regionOf(Where where, float falloff = 0.0f) {
+    Region region;
+    region.where = where;
+    region.falloff = falloff;
+    return region;
+}
+
+Region sphere(vec3 center, float radius, float falloff = 0.0f) {
+    Region region = regionOf(Where::sphere, falloff);
+    region.center = center;
+    region.radius = radius;
+    return region;
+}
+
+Region narrow(float width, float falloff = 0.0f) {
+    Region region = regionOf(Where::narrow, falloff);
+    region.width = width;
+    return region;
+}
+
+RegionEdit edit(Channel channel, RegionAct act, float value) {
+    RegionEdit change;
+    change.channel = channel;
+    change.act = act;
+    change.value = value;
+    return change;
+}
+
+std::vector<float> weights(const Canvas& canvas, const Region& region) {
+    return regionWeights(canvas.query, canvas.groom, region);
+}
+
+double sum(const std::vector<float>& numbers) {
+    double total = 0.0;
+    for (const float number : numbers) total += static_cast<double>(number);
+    return total;
+}
+
+// Every weight in [0,1], none of them no number.
+void expectWeights(const Canvas& canvas, const Region& region) {
+    const std::vector<float> found = weights(canvas, region);
+    ASSERT_EQ(found.size(), canvas.skin->vertices.size());
+    for (const float weight : found) ASSERT_TRUE(weight >= 0.0f && weight <= 1.0f) << weight;
+}
+
+// The two halves of a ball as segments "head" (x < 0) and "left ear".
+Source segmentedBall() {
+    Source source = test::ball(4);
+    source.segments = {{"head", {}, {}}, {"left ear", {}, {}}};
+    for (const vec3 p : source.positions) source.segmentOf.push_back(p.x < 0.0f ? 0u : 1u);
+    return source;
+}
+
+// What the picture of a camera at (0, 0, 5) that looks at the ball shows. Width 2 x height.
+mat4 viewFromFront() {
+    mat4 m(0.0f);
+    m[0][0] = 1.0f;  // x / 2 at tan = 1/2
+    m[1][1] = 2.0f;
+    m[2][2] = -1.0f;
+    m[2][3] = -1.0f;
+    m[3][2] = 4.0f;
+    m[3][3] = 5.0f;
+    return m;
+}
+
+Region lasso(std::vector<vec2> polygon, float falloff = 0.0f) {
+    Region region = regionOf(Where::lasso, falloff);
+    region.polygon = std::move(polygon);
+    region.viewProjection = viewFromFront();
+    region.eye = {0.0f, 0.0f, 5.0f};
+    return region;
+}
+
+TEST(Region, WeightIsOneInsideAndFallsSmoothlyToZeroOverTheFalloff) {
+    const Canvas canvas(test::sheet(100));
+    Region box = regionOf(Where::box, 0.2f);
+    box.half = vec3(0.1f);
+    for (const Region& region : {sphere({}, 0.1f, 0.2f), box}) {
+        const std::vector<float> found = weights(canvas, region);
+        int between = 0;
+        for (uint v = 0; v < found.size(); ++v) {
+            const vec3 p = canvas.skin->vertices[v].position;
+            const float far = region.where == Where::sphere
+                                  ? glm::length(p) - 0.1f
+                                  : glm::length(glm::max(glm::abs(p) - 0.1f, vec3(0.0f)));
+            if (far <= 0.0f) {
+                EXPECT_EQ(found[v], 1.0f);
+            }
+            if (far >= 0.2f) {
+                EXPECT_EQ(found[v], 0.0f);
+            }
+            between += found[v] > 0.0f && found[v] < 1.0f;
+            for (const uint u : canvas.skin->ring(v))  // steepest: 1.5 over the falloff
+                EXPECT_LE(std::abs(found[u] - found[v]), 1.6f * 0.0142f / 0.2f);
+        }
+        EXPECT_GT(between, 1000);
+    }
+}
+
+TEST(Region, WithoutFalloffWeightsAreZeroOrOne) {
+    const Canvas canvas(segmentedBall());
+    Region head = regionOf(Where::segment);
+    head.segment = "head";
+    Region curved = regionOf(Where::curved);
+    curved.curvature = 0.9f;
+    for (const Region& region : {sphere({0, 1, 0}, 0.5f), head, narrow(2.5f), curved})
+        for (const float weight : weights(canvas, region))
+            EXPECT_TRUE(weight == 0.0f || weight == 1.0f);
+}
+
+TEST(Region, SizesAreMultiplesOfTheSkins) {
+    const Canvas canvas(test::ball(3));
+    const float size = canvas.skin->size();
+    Region metres = sphere({0, 1, 0}, 0.1f * size, 0.05f * size);
+    Region multiples = sphere({0, 1, 0}, 0.1f, 0.05f);
+    multiples.sizes = true;
+    EXPECT_EQ(weights(canvas, metres), weights(canvas, multiples));
+    EXPECT_GT(sum(weights(canvas, metres)), 1.0);
+    Region round = regionOf(Where::curved);
+    round.sizes = true;
+    round.curvature = 0.9f * size;
+    EXPECT_EQ(sum(weights(canvas, round)), static_cast<double>(canvas.skin->vertices.size()));
+}
+
+TEST(Region, BoxIsTurnedAboutItsAxis) {
+    const Canvas canvas(test::sheet(60));
+    Region box = regionOf(Where::box);
+    box.half = {0.4f, 0.1f, 0.02f};
+    box.turn = {0.0f, 0.25f * 3.14159265f, 0.0f};  // x turns towards -z
+    const std::vector<float> found = weights(canvas, box);
+    int inside = 0;
+    for (uint v = 0; v < found.size(); ++v) {
+        const vec3 p = canvas.skin->vertices[v].position;
+        if (found[v] > 0.0f) {
+            EXPECT_LT(std::abs(p.x + p.z), 0.03f) << p.x << ' ' << p.z;
+        }
+        inside += found[v] > 0.0f;
+    }
+    EXPECT_GT(inside, 30);
+}
+
+TEST(Region, SegmentIsFoundByNameAndByNumberAndFadesOverItsBorder) {
+    const Canvas canvas(segmentedBall());
+    Region region = regionOf(Where::segment);
+    region.segment = "left ear";
+    const std::vector<float> named = weights(canvas, region);
+    region.segment = "1";
+    EXPECT_EQ(weights(canvas, region), named);
+    for (uint v = 0; v < named.size(); ++v)
+        EXPECT_EQ(named[v] > 0.0f, canvas.skin->vertices[v].position.x >= 0.0f);
+    region.falloff = 0.5f;
+    const std::vector<float> faded = weights(canvas, region);
+    int between = 0;
+    for (uint v = 0; v < faded.size(); ++v) {
+        const float x = canvas.skin->vertices[v].position.x;
+        if (x >= 0.0f) {
+            EXPECT_EQ(faded[v], 1.0f);
+        }
+        if (x < -0.5f) {
+            EXPECT_EQ(faded[v], 0.0f);
+        }
+        between += faded[v] > 0.0f && faded[v] < 1.0f;
+    }
+    EXPECT_GT(between, 100);
+}
+
+TEST(Region, AnUnknownSegmentIsRefusedWithItsName) {
+    const Canvas canvas(segmentedBall());
+    Region region = regionOf(Where::segment);
+    for (const char* name : {"tail", "2", "-1", "", "0x"}) {
+        region.segment = name;
+        const std::string problem = test::refusal([&] { weights(canvas, region); });
+        EXPECT_NE(problem.find('"' + std::string(name) + "\" among the 2"), std::string::npos)
+            << problem;
+    }
+    region.segment = "0";
+    const Canvas bare(test::ball(1));
+    EXPECT_NE(test::refusal([&] { weights(bare, region); }).find("among the 0"), std::string::npos);
+}
+
+TEST(Region, MaskIsItsOwnWeightAndIsEditedWhereItIsPainted) {
+    Canvas canvas(test::sheet(20));
+    canvas.groom.mask.edit(7) = 1.0f;
+    canvas.groom.mask.edit(90) = 0.25f;
+    std::vector<float> expected(canvas.skin->vertices.size(), 0.0f);
+    expected[7] = 1.0f;
+    expected[90] = 0.25f;
+    EXPECT_EQ(weights(canvas, regionOf(Where::mask)), expected);
+    EXPECT_GT(sum(weights(canvas, regionOf(Where::mask, 0.2f))), 2.0);
+    Groom after = canvas.groom;
+    applyRegion(canvas.query, after, regionOf(Where::mask),
+                edit(Channel::density, RegionAct::set, 1.0f));
+    EXPECT_EQ(after.fur[7].density, 1.0f);
+    EXPECT_EQ(after.fur[90].density, 0.625f);
+    EXPECT_EQ(after.fur[8], canvas.groom.fur[8]);
+}
+
+// A ray along the rim of a sheet of 1 m may or may not meet another.
+bool onRim(const Canvas& canvas, uint v) {
+    const vec3 p = glm::abs(canvas.skin->vertices[v].position);
+    return std::max(p.x, p.z) > 0.49f;
+}
+
+TEST(Region, NarrowHoldsAThinPlateAndNotABall) {
+    const Canvas plate(test::twoSheets(30, 0.004f));
+    const std::vector<float> found = weights(plate, narrow(0.005f));
+    for (uint v = 0; v < found.size(); ++v) {
+        if (!onRim(plate, v)) {
+            EXPECT_EQ(found[v], 1.0f);
+        }
+    }
+    EXPECT_EQ(sum(weights(plate, narrow(0.003f))), 0.0);
+    const Canvas ball(test::ball(4));
+    EXPECT_EQ(sum(weights(ball, narrow(1.9f))), 0.0);
+    EXPECT_EQ(sum(weights(ball, narrow(2.1f))), static_cast<double>(ball.skin->vertices.size()));
+    for (const float weight : weights(ball, narrow(1.9f, 0.2f))) EXPECT_NEAR(weight, 0.5f, 0.05f);
+}
+
+TEST(Region, AnOpenSheetIsNotNarrow) {
+    const Canvas sheet(test::sheet(10));
+    EXPECT_EQ(sum(weights(sheet, narrow(1e6f))), 0.0);
+    // Not even above a body, here with its face at y = -0.1.
+    std::vector<vec3> positions;
+    std::vector<uvec3> triangles;
+    test::addSheet(positions, triangles, 10, 0.0f, true);
+    test::addSheet(positions, triangles, 10, -0.1f, true);
+    test::addSheet(positions, triangles, 10, -0.3f, false);
+    const Canvas above(test::oneMesh(positions, triangles));
+    const std::vector<float> found = weights(above, narrow(0.25f));
+    for (uint v = 0; v < found.size(); ++v) {
+        const bool inBody = above.skin->vertices[v].position.y < -0.05f;
+        if (!inBody || !onRim(above, v)) {
+            EXPECT_EQ(found[v], inBody ? 1.0f : 0.0f);
+        }
+    }
+}
+
+TEST(Region, PartsInOneAnotherCountAsOneBody) {
+    std::vector<vec3> positions;
+    std::vector<uvec3> triangles;
+    test::addSheet(positions, triangles, 8, 0.0f, true);
+    test::addSheet(positions, triangles, 8, -0.2f, false);
+    test::addSheet(positions, triangles, 8, -0.1f, true);
+    test::addSheet(positions, triangles, 8, -0.3f, false);
+    const Canvas canvas(test::oneMesh(positions, triangles));
+    for (uint v = 0; v < canvas.skin->vertices.size(); ++v) {
+        if (canvas.skin->vertices[v].position.y == 0.0f && !onRim(canvas, v)) {
+            EXPECT_NEAR(thicknessAt(canvas.query, v, 1.0f), 0.3f, 1e-5f);
+        }
+    }
+}
+
+TEST(Region, AMirroredPartIsAsThick) {
+    Source mirrored = test::twoSheets(10, 0.1f);
+    mirrored.parts[0].toWorld[0][0] = -1.0f;
+    const Canvas canvas(std::move(mirrored));
+    for (uint v = 0; v < canvas.skin->vertices.size(); ++v) {
+        if (!onRim(canvas, v)) {
+            EXPECT_NEAR(thicknessAt(canvas.query, v, 1.0f), 0.1f, 1e-5f);
+        }
+    }
+}
+
+TEST(Region, CurvatureOfABallIsOneOverItsRadius) {
+    const Canvas ball(test::ball(4));
+    for (uint v = 0; v < ball.skin->vertices.size(); ++v)
+        EXPECT_NEAR(curvatureAt(*ball.skin, v), 1.0f, 0.03f);
+}
+
+TEST(Region, CurvatureIsZeroOnAPlaneUpToItsBorder) {
+    const float c = std::cos(0.5f), s = std::sin(0.5f);
+    const mat4 tilted({c, s, 0, 0}, {-s, c, 0, 0}, {0, 0, 1, 0}, {3, 4, 5, 1});
+    const Canvas sheet(test::sheet(30, tilted));
+    for (uint v = 0; v < sheet.skin->vertices.size(); ++v)
+        EXPECT_NEAR(curvatureAt(*sheet.skin, v), 0.0f, 1e-3f);
+}
+
+// A tube about the z axis of radius 1: long needles, `around` of them, one ring at each end.
+Source needleTube(uint around, float length) {
+    std::vector<vec3> positions;
+    std::vector<uvec3> triangles;
+    for (uint i = 0; i < around; ++i) {
+        const float angle = 6.2831853f * static_cast<float>(i) / static_cast<float>(around);
+        positions.emplace_back(std::cos(angle), std::sin(angle), 0.0f);
+        positions.emplace_back(std::cos(angle), std::sin(angle), length);
+    }
+    for (uint i = 0; i < around; ++i) {
+        const uint a = 2 * i, b = a + 1, c = 2 * ((i + 1) % around), d = c + 1;
+        triangles.push_back({a, c, b});
+        triangles.push_back({b, c, d});
+    }
+    return test::oneMesh(std::move(positions), std::move(triangles));
+}
+
+TEST(Region, NeedlesAreNoMoreCurvedThanTheTubeTheyMake) {
+    const Canvas tube(needleTube(64, 30.0f));  // 0.1 x 30 m
+    for (uint v = 0; v < tube.skin->vertices.size(); ++v)
+        EXPECT_LE(curvatureAt(*tube.skin, v), 0.6f);  // 1/2 of a cylinder
+    const Canvas stout(needleTube(64, 0.1f));
+    for (uint v = 0; v < stout.skin->vertices.size(); ++v)
+        EXPECT_NEAR(curvatureAt(*stout.skin, v), 0.5f, 0.05f);
+}
+
+TEST(Region, LassoHoldsWhatIsInsideItsPolygonAndFacesTheEye) {
+    const Canvas ball(test::ball(4));
+    const std::vector<float> right =
+        weights(ball, lasso({{0.0f, -1.0f}, {1.0f, -1.0f}, {1.0f, 1.0f}, {0.0f, 1.0f}}));
+    for (uint v = 0; v < right.size(); ++v) {
+        const vec3 p = ball.skin->vertices[v].position;
+        if (p.x < 0.0f || p.z < 0.0f) {
+            EXPECT_EQ(right[v], 0.0f);
+        }
+        if (p.x > 0.01f && p.z > 0.5f) {
+            EXPECT_EQ(right[v], 1.0f);
+        }
+    }
+}
+
+TEST(Region, LassoHoldsAllItWindsAroundEvenWhereItCrossesItself) {
+    const Canvas ball(test::ball(3));
+    const std::vector<vec2> once{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    std::vector<vec2> twice = once;
+    twice.insert(twice.end(), once.begin(), once.end());
+    EXPECT_GT(sum(weights(ball, lasso(once))), 50.0);
+    EXPECT_EQ(weights(ball, lasso(once)), weights(ball, lasso(twice)));
+}
+
+TEST(Region, LassoFalloffIsInHalvesOfThePicturesHeight) {
+    // A picture twice as wide as high: half its height is half as much of x as of y.
+    const Canvas sheet(test::sheet(50));
+    Region region = lasso({{-0.1f, -0.1f}, {0.1f, -0.1f}, {0.1f, 0.1f}, {-0.1f, 0.1f}}, 0.2f);
+    region.viewProjection = mat4(0.0f);  // from above, parallel: 2 m high and 4 m wide
+    region.viewProjection[0][0] = 0.5f;
+    region.viewProjection[2][1] = -1.0f;
+    region.viewProjection[1][2] = -1.0f;
+    region.viewProjection[3][3] = 1.0f;
+    const std::vector<float> found = weights(sheet, region);
+    for (uint v = 0; v < found.size(); ++v) {
+        const vec3 p = glm::abs(sheet.skin->vertices[v].position);
+        const vec2 beyond = glm::max(vec2(p.x - 0.2f, p.z - 0.1f), vec2(0.0f));
+        if (glm::length(beyond) > 0.201f) {
+            EXPECT_EQ(found[v], 0.0f);
+        } else if (glm::length(beyond) < 0.199f) {
+            EXPECT_GT(found[v], 0.0f);
+        }
+    }
+    // The same from below: nothing faces the eye.
+    region.viewProjection[1][2] = 1.0f;
+    EXPECT_EQ(sum(weights(sheet, region)), 0.0);
+}
+
+TEST(Region, AFieldThatIsNoNumberSelectsNothing) {
+    Canvas canvas(segmentedBall());
+    Region box = regionOf(Where::box);
+    box.half = {kNan, 1.0f, 1.0f};
+    Region turned = regionOf(Where::box);
+    turned.half = vec3(9.0f);
+    turned.turn.x = kNan;
+    Region curved = regionOf(Where::curved);
+    curved.curvature = kNan;
+    Region view = lasso({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
+    view.viewProjection[3][3] = kNan;
+    for (const Region& region :
+         {sphere({kNan, 0, 0}, 9.0f), sphere({}, kNan), box, turned, curved, narrow(kNan), view,
+          lasso({{-1, -1}, {1, kNan}, {1, 1}, {-1, 1}}), lasso({{-1, -1}, {1, 1}}), lasso({})})
+        EXPECT_EQ(sum(weights(canvas, region)), 0.0) << static_cast<int>(region.where);
+    EXPECT_EQ(weights(canvas, sphere({0, 1, 0}, 0.5f, kNan)),
+              weights(canvas, sphere({0, 1, 0}, 0.5f)));
+    Groom after = canvas.groom;
+    for (const Channel channel : {Channel::length, Channel::density, Channel::direction})
+        for (uint act = 0; act < 4; ++act) {
+            RegionEdit change = edit(channel, static_cast<RegionAct>(act), kNan);
+            change.direction = vec3(kNan, 1.0f, 0.0f);
+            applyRegion(canvas.query, after, Region{}, change);
+        }
+    EXPECT_TRUE(test::equalValues(after, canvas.groom));
+}
+
+TEST(Region, ZeroRadiusIsItsCentreAndFalloff) {
+    const Canvas canvas(test::sheet(10));
+    EXPECT_EQ(sum(weights(canvas, sphere({}, 0.0f))), 1.0);
+    EXPECT_EQ(sum(weights(canvas, sphere({0.01f, 0, 0}, 0.0f))), 0.0);
+    EXPECT_GT(sum(weights(canvas, sphere({0.01f, 0, 0}, 0.0f, 0.3f))), 5.0);
+}
+
+TEST(Region, HardSkinsHaveWeightsToo) {
+    std::vector<Source> sources;
+    sources.push_back(test::oneMesh({}, {}));
+    sources.push_back(test::oneMesh({{1, 2, 3}}, {}));
+    sources.push_back(test::oneMesh({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}));  // no area
+    sources.push_back(test::oneMesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}));
+    sources.push_back(needleTube(50, 1e6f));
+    sources.push_back(needleTube(50, 1e-6f));
+    for (Source& source : sources) {
+        Canvas canvas(std::move(source));
+        for (uint where = 0; where < 8; ++where) {
+            Region region = lasso({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, 0.1f);
+            region.where = static_cast<Where>(where);
+            if (region.where == Where::segment) continue;
+            expectWeights(canvas, region);
+            Groom after = canvas.groom;
+            for (uint act = 0; act < 4; ++act)
+                applyRegion(canvas.query, after, region,
+                            edit(Channel::direction, static_cast<RegionAct>(act), 1.0f));
+            for (uint v = 0; v < after.fur.size(); ++v)
+                EXPECT_LE(glm::length(after.fur[v].direction), 1.0001f);
+        }
+    }
+}
+
+TEST(Region, UntouchedVerticesAndChannelsKeepTheirBits) {
+    Canvas canvas(test::ball(3));
+    test::shuffle(canvas, 3);
+    const Region region = sphere({0, 1, 0}, 0.3f, 0.3f);
+    const std::vector<float> share = weights(canvas, region);
+    for (const Channel channel : {Channel::length, Channel::density, Channel::direction}) {
+        for (uint act = 0; act < 4; ++act) {
+            Groom after = canvas.groom;
+            RegionEdit change = edit(channel, static_cast<RegionAct>(act), 0.5f);
+            change.direction = {1.0f, 0.0f, 0.2f};
+            applyRegion(canvas.query, after, region, change);
+            std::size_t touched = 0;
+            for (uint v = 0; v < share.size(); ++v) {
+                const FurVertex &a = canvas.groom.fur[v], &b = after.fur[v];
+                if (share[v] == 0.0f) {
+                    EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0);
+                } else
+                    touched += !(a == b);
+                if (channel != Channel::length) {
+                    EXPECT_EQ(a.furLength, b.furLength);
+                }
+                if (channel != Channel::density) {
+                    EXPECT_EQ(a.density, b.density);
+                }
+                if (channel != Channel::direction) {
+                    EXPECT_EQ(a.direction, b.direction);
+                }
+            }
+            EXPECT_GT(touched, 50u) << act;
+        }
+    }
+}
+
+TEST(Region, TheMaskHoldsBackAsInAFlood) {
+    Canvas canvas(test::ball(3));
+    test::shuffle(canvas, 4);
+    Draws draws(8);
+    for (uint v = 0; v < canvas.groom.mask.size(); ++v)
+        canvas.groom.mask.edit(v) = static_cast<float>(draws.below(3)) / 2.0f;
+    Groom flooded = canvas.groom, edited = canvas.groom;
+    flood(canvas.query, flooded, test::brushOf(Tool::length, Mode::set));
+    applyRegion(canvas.query, edited, Region{}, edit(Channel::length, RegionAct::set, 0.25f));
+    EXPECT_LT(test::largestDifference(flooded, edited), 1e-6f);
+    EXPECT_GT(test::largestDifference(canvas.groom, edited), 0.1f);
+    for (uint v = 0; v < edited.fur.size(); ++v)
+        if (canvas.groom.mask[v] == 1.0f) {
+            EXPECT_EQ(edited.fur[v], canvas.groom.fur[v]);
+        }
+}
+
+TEST(Region, SmoothIsThatOfAFlood) {
+    Canvas canvas(test::ball(3));
+    test::shuffle(canvas, 5);
+    Groom flooded = canvas.groom, edited = canvas.groom;
+    Brush brush = test::brushOf(Tool::smooth);
+    brush.strength = 0.7f;
+    flood(canvas.query, flooded, brush);
+    for (const Channel channel : {Channel::length, Channel::density, Channel::direction}) {
+        Groom after = canvas.groom;
+        applyRegion(canvas.query, after, Region{}, edit(channel, RegionAct::smooth, 0.7f));
+        for (uint v = 0; v < after.fur.size(); ++v) {
+            FurVertex& fur = edited.fur.edit(v);
+            if (channel == Channel::length) fur.furLength = after.fur[v].furLength;
+            if (channel == Channel::density) fur.density = after.fur[v].density;
+            if (channel == Channel::direction) fur.direction = after.fur[v].direction;
+        }
+    }
+    EXPECT_LT(test::largestDifference(flooded, edited), 1e-6f);
+    EXPECT_GT(test::largestDifference(canvas.groom, edited), 0.1f);
+}
+
+TEST(Region, ValuesStayInTheRangeOfTheirChannel) {
+    Canvas canvas(test::ball(3));
+    test::shuffle(canvas, 6);
+    for (const Channel channel : {Channel::length, Channel::density, Channel::direction}) {
+        for (const float value : {-1e30f, -3.0f, 0.0f, 5.0f, 1e30f, kInfinite}) {
+            for (uint act = 0; act < 4; ++act) {
+                Groom after = canvas.groom;
+                RegionEdit change = edit(channel, static_cast<RegionAct>(act), value);
+                change.direction = vec3(value, 1.0f, 0.0f);
+                applyRegion(canvas.query, after, sphere({0, 1, 0}, 0.5f, 0.5f), change);
+                for (uint v = 0; v < after.fur.size(); ++v) {
+                    const FurVertex& fur = after.fur[v];
+                    EXPECT_TRUE(fur.furLength >= 0.0f && fur.furLength <= 1e6f);
+                    EXPECT_TRUE(fur.density >= 0.0f && fur.density <= 1.0f);
+                    EXPECT_LE(glm::length(fur.direction), 1.0001f);
+                }
+            }
+        }
+    }
+}
+
+TEST(Region, DirectionIsLaidOntoTheTangentPlaneAndZeroStandsUp) {
+    Canvas canvas(test::ball(3));
+    RegionEdit change = edit(Channel::direction, RegionAct::set, 0.0f);
+    change.direction = {0.0f, 0.6f, 0.0f};
+    Groom after = canvas.groom;
+    applyRegion(canvas.query, after, Region{}, change);
+    for (uint v = 0; v < after.fur.size(); ++v) {
+        const vec3 n = canvas.skin->vertices[v].normal, d = after.fur[v].direction;
+        if (std::abs(n.y) > 0.99f) continue;
+        EXPECT_NEAR(glm::dot(n, d), 0.0f, 1e-5f);
+        EXPECT_NEAR(glm::length(d), 0.6f, 1e-5f);
+        EXPECT_GT(d.y, 0.0f);
+    }
+    change.direction = vec3(0.0f);
+    applyRegion(canvas.query, after, Region{}, change);
+    for (uint v = 0; v < after.fur.size(); ++v) EXPECT_EQ(after.fur[v].direction, vec3(0.0f));
+}
+
+TEST(Region, RandomiseKeepsWithinItsShareAndTurnsAboutTheNormal) {
+    Canvas canvas(test::ball(4));
+    Groom after = canvas.groom;
+    applyRegion(canvas.query, after, Region{}, edit(Channel::length, RegionAct::randomise, 0.3f));
+    applyRegion(canvas.query, after, Region{},
+                edit(Channel::direction, RegionAct::randomise, 0.25f));
+    float least = 1.0f, most = 0.0f;
+    double mean = 0.0;
+    for (uint v = 0; v < after.fur.size(); ++v) {
+        const float factor = after.fur[v].furLength / canvas.groom.fur[v].furLength;
+        least = std::min(least, factor);
+        most = std::max(most, factor);
+        mean += static_cast<double>(factor) / static_cast<double>(after.fur.size());
+        const vec3 n = canvas.skin->vertices[v].normal;
+        const vec3 a = canvas.groom.fur[v].direction, b = after.fur[v].direction;
+        EXPECT_NEAR(glm::dot(n, a), glm::dot(n, b), 1e-5f);
+        EXPECT_NEAR(glm::length(a), glm::length(b), 1e-5f);
+        // At most an eighth of a full turn.
+        const vec3 fa = a - n * glm::dot(n, a), fb = b - n * glm::dot(n, b);
+        EXPECT_GE(glm::dot(fa, fb), 0.707f * glm::dot(fa, fa) - 1e-5f);
+    }
+    EXPECT_GE(least, 0.7f - 1e-6f);
+    EXPECT_LE(most, 1.3f + 1e-6f);
+    EXPECT_LT(least, 0.72f);
+    EXPECT_GT(most, 1.28f);
+    EXPECT_NEAR(mean, 1.0, 0.02);
+}
+
+TEST(Region, RandomiseDrawsFromThePlaceAndTheSeed) {
+    // The same sheet with its vertices in another order.
+    Source forward = test::sheet(10), backward = test::sheet(10);
+    const uint count = static_cast<uint>(backward.positions.size());
+    std::reverse(backward.positions.begin(), backward.positions.end());
+    for (uvec3& t : backward.triangles) t = uvec3(count - 1) - t;
+    Canvas a(std::move(forward)), b(std::move(backward));
+    RegionEdit change = edit(Channel::density, RegionAct::randomise, 0.5f);
+    Groom first = a.groom, second = b.groom, other = a.groom;
+    applyRegion(a.query, first, Region{}, change);
+    applyRegion(b.query, second, Region{}, change);
+    change.seed = 1;
+    applyRegion(a.query, other, Region{}, change);
+    int different = 0;
+    for (uint v = 0; v < count; ++v) {
+        ASSERT_EQ(a.skin->vertices[v].position, b.skin->vertices[v].position);
+        EXPECT_EQ(first.fur[v], second.fur[v]);
+        different += !(first.fur[v] == other.fur[v]);
+    }
+    EXPECT_GT(different, 100);
+}
+
+Region randomRegion(Draws& draws) {
+    Region region = regionOf(static_cast<Where>(draws.below(8)));
+    const auto number = [&] { return draws.in(0.0f, 1.5f); };
+    region.falloff = draws.below(2) ? number() : 0.0f;
+    region.sizes = draws.below(2);
+    switch (region.where) {
+        case Where::box:
+            region.half = {number(), number(), number()};
+            if (draws.below(2)) region.turn = draws.inBox(3.0f);
+            [[fallthrough]];
+        case Where::sphere:
+            region.center = draws.inBox(1.0f);
+            if (region.where == Where::sphere) region.radius = number();
+            break;
+        case Where::segment:
+            region.segment = draws.below(2) ? "left ear" : "head";
+            break;
+        case Where::narrow:
+            region.width = number();
+            break;
+        case Where::curved:
+            region.curvature = number();
+            break;
+        case Where::lasso:
+            region.viewProjection = viewFromFront();
+            region.eye = {0.0f, 0.0f, 5.0f};
+            for (uint i = 0, n = 2 + draws.below(9); i < n; ++i)
+                region.polygon.push_back(vec2(draws.inBox(1.0f)));
+            break;
+        default:
+            break;
+    }
+    return region;
+}
+
+RegionEdit randomEdit(Draws& draws) {
+    constexpr Channel kChannels[] = {Channel::length, Channel::density, Channel::direction};
+    RegionEdit change = edit(kChannels[draws.below(3)], static_cast<RegionAct>(draws.below(4)),
+                             draws.in(0.0f, 1.0f));
+    if (change.act == RegionAct::randomise) change.seed = draws.below(0xffffffffu);
+    if (change.act == RegionAct::set && change.channel == Channel::direction) {
+        change.value = 1.0f;
+        change.direction = draws.inBox(1.0f);
+    }
+    return change;
+}
+
+Workspace onSegmentedBall() {
+    Workspace workspace;
+    Document document = test::evenDocument(segmentedBall());
+    for (uint v = 0; v < document.groom.mask.size(); v += 3) document.groom.mask.edit(v) = 0.6f;
+    workspace.open(std::move(document));
+    return workspace;
+}
+
+TEST(RegionScript, LineReadsBackBitForBit) {
+    Draws draws(21);
+    for (int i = 0; i < 500; ++i) {
+        const Region region = randomRegion(draws);
+        const RegionEdit change = randomEdit(draws);
+        const std::string line = regionLine(region, change);
+        Words words(line);
+        ASSERT_EQ(words.next(), "region");
+        const RegionWords read = regionFromWords(words);
+        EXPECT_TRUE(words.done()) << line;
+        EXPECT_EQ(read.region, region) << line;
+        EXPECT_EQ(read.change, change) << line;
+        EXPECT_EQ(regionLine(read.region, read.change), line);
+    }
+}
+
+TEST(RegionScript, EachLineIsOneStepThatUndoesExactly) {
+    Draws draws(22);
+    Workspace workspace = onSegmentedBall();
+    Editor& editor = *workspace.editor;
+    int steps = 0;
+    for (int i = 0; i < 60; ++i) {
+        const Document before = editor.document();
+        const std::size_t step = editor.currentStep();
+        const Region region = randomRegion(draws);
+        const RegionEdit change = randomEdit(draws);
+        Groom expected = before.groom;
+        applyRegion(*workspace.query, expected, region, change);
+        runLine(workspace, regionLine(region, change));
+        EXPECT_TRUE(test::equalValues(editor.document().groom, expected));
+        if (editor.currentStep() == step) continue;
+        ++steps;
+        ASSERT_EQ(editor.currentStep(), step + 1);
+        runLine(workspace, "undo");
+        ASSERT_EQ(editor.document(), before);
+        runLine(workspace, "redo");
+    }
+    EXPECT_GT(steps, 20);
+}
+
+TEST(RegionScript, LinesOfTheManualWork) {
+    Workspace workspace = onSegmentedBall();
+    for (const char* line :
+         {"region sphere 0 0.9 0 radius 0.4 falloff 0.05 : length scale 0.5",
+          "region narrow 2.1 : length set 0.005",
+          "region segment head : density randomise 0.3 seed 4",
+          "region segment left%20ear falloff 0.1 : direction set 0 -1 0",
+          "region curved 0.1 falloff 0.05 sizes : length smooth",
+          "region box 0 0 0 half 1 1 0.2 turn 0 0.5 0 : direction scale 0.5",
+          "region all : direction randomise 0.1", "region mask : density set 0.3"}) {
+        const std::size_t step = workspace.editor->currentStep();
+        runLine(workspace, line);
+        EXPECT_TRUE(workspace.editor->currentStep() == step + 1 ||
+                    std::string_view(line).find("smooth") != std::string_view::npos)
+            << line;
+    }
+    EXPECT_EQ(workspace.editor->undoLabel(), "Region mask: density set");
+}
+
+TEST(RegionScript, WhatIsWrongIsNamedAndChangesNothing) {
+    Workspace workspace = onSegmentedBall();
+    const Document before = workspace.editor->document();
+    const std::pair<const char*, const char*> lines[] = {
+        {"region", "no region \"\""},
+        {"region cone 1 2 3 : length scale 1", "\"cone\""},
+        {"region sphere 0 0 radius 1 : length scale 1", "\"radius\""},
+        {"region sphere 0 0 0 radius -1 : length scale 1", "\"-1\""},
+        {"region sphere 0 0 0 radius nan : length scale 1", "\"nan\""},
+        {"region all length scale 1", "\"length\""},
+        {"region all", "no :"},
+        {"region all : tail scale 1", "\"tail\""},
+        {"region all : length cut 1", "\"cut\""},
+        {"region all : length scale", "\"\""},
+        {"region all : density set 1.5", "\"1.5\""},
+        {"region all : direction set 1 0", "\"\""},
+        {"region all : length randomise 0.5 seed -4", "\"-4\""},
+        {"region all : length scale 0.5 twice", "\"twice\""},
+        {"region segment tail : length scale 0.5", "\"tail\""},
+        {"region segment a%2 : length scale 0.5", "%2"},
+        {"region lasso view 1 2 3 : length scale 0.5", "\":\""},
+        {"region lasso view 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 points 1 : length scale 1", "\":\""},
+    };
+    for (const auto& [line, named] : lines) {
+        const std::string problem = test::refusal([&, text = line] { runLine(workspace, text); });
+        EXPECT_NE(problem.find("region: "), std::string::npos) << line;
+        EXPECT_NE(problem.find(named), std::string::npos) << line << '\n' << problem;
+        EXPECT_EQ(workspace.editor->document(), before) << line;
+    }
+}
+
+}  // namespace
+}  // namespace pelage
