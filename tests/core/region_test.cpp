@@ -497,6 +497,7 @@ TEST(Region, SmoothIsThatOfAFlood) {
             if (channel == Channel::length) fur.furLength = after.fur[v].furLength;
             if (channel == Channel::density) fur.density = after.fur[v].density;
             if (channel == Channel::direction) fur.direction = after.fur[v].direction;
+            fur.tint = flooded.fur[v].tint;  // a region edits no tint
         }
     }
     EXPECT_LT(test::largestDifference(flooded, edited), 1e-6f);
