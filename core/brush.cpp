@@ -16,7 +16,6 @@ namespace {
 constexpr double kCombStep = 1.0 / 8.0;  // of the radius, between two looks at the path's direction
 constexpr float kFarthest = 2.0f;        // sizes from the middle of the skin
 constexpr float kSmoothReach = 1.0f / 3.0f;  // of the radius, over which smooth takes its mean
-constexpr float kFloodReach = 1.0f / 40.0f;  // the same for a flood, of the skin's size
 constexpr float kFacingRamp =
     0.2f;  // cosine to the cursor's normal from which a vertex counts in full
 

@@ -10,18 +10,10 @@
 #include "averages.h"
 #include "region.h"
 #include "strand.h"
+#include "tools.h"
 
 namespace pelage {
 namespace {
-
-constexpr float kGreatestLength = 1e6f;
-constexpr float kReach = 1.0f / 40.0f;  // of smooth, of the skin's size; as in a flood
-
-// At most as long as 1.
-vec3 shortened(vec3 direction) {
-    const float length = glm::length(direction);
-    return length > 1.0f ? direction / length : direction;
-}
 
 // In [-1,1), from a place and a seed.
 float drawAt(vec3 place, uint seed) {
@@ -120,7 +112,7 @@ void applyRegion(const SkinQuery& query, Groom& groom, const Region& region,
     const Skin& skin = query.skin();
     const std::vector<float> weights = regionWeights(query, groom, region);
     std::optional<Averages> averages;
-    if (change.act == RegionAct::smooth) averages.emplace(query, groom, kReach * skin.size());
+    if (change.act == RegionAct::smooth) averages.emplace(query, groom, kFloodReach * skin.size());
     for (uint v = 0; v < skin.vertices.size(); ++v) {
         const float held = region.where == Where::mask ? 0.0f : groom.mask[v];
         const float w = weights[v] * (1.0f - held);

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "text.h"
+#include "tools.h"
 
 namespace pelage {
 namespace {
@@ -135,12 +136,6 @@ std::vector<vec3> solved(const Level& level) {
 }
 
 bool finite(vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-// A direction is at most as long as 1.
-vec3 shortened(vec3 direction) {
-    const float length = glm::length(direction);
-    return length > 1.0f ? direction / length : direction;
-}
 
 // Mixes a direction of the world into that of vertex v, as much as the mask lets through.
 void mixIn(const Skin& skin, Groom& groom, uint v, vec3 direction, float weight) {

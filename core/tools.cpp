@@ -41,7 +41,6 @@ constexpr std::array<const char*, 4> kFalloffs{"smooth", "linear", "sharp", "con
 
 constexpr float kLengthStep =
     0.04f;  // share of the skin's size by which one full stroke grows hair
-constexpr float kGreatestLength = 1e6f;
 constexpr float kLeastRadius = 1e-3f;  // of the skin's size; bounds the number of comb steps
 constexpr float kMiddle = 0.1f;        // of the radius, where part and clump fade out
 constexpr float kQuarterTurn = 0.5f * std::numbers::pi_v<float>;
@@ -56,12 +55,6 @@ float changed(float before, const Brush& brush, float share, float step, float v
             return glm::mix(before, value, share);
     }
     return before;
-}
-
-// At most as long as 1.
-vec3 shortened(vec3 direction) {
-    const float length = glm::length(direction);
-    return length > 1.0f ? direction / length : direction;
 }
 
 float lengthAfter(const Skin& skin, float before, const Brush& brush, uint v, float share) {
@@ -202,6 +195,11 @@ const ToolInfo& toolInfo(Tool tool) {
 
 std::span<const char* const> modeNames() { return kModes; }
 std::span<const char* const> falloffNames() { return kFalloffs; }
+
+vec3 shortened(vec3 direction) {
+    const float length = glm::length(direction);
+    return length > 1.0f ? direction / length : direction;
+}
 
 float workingRadius(const Skin& skin, const Brush& brush) {
     return std::max(brush.radius, kLeastRadius * skin.size());

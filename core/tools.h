@@ -6,6 +6,13 @@
 
 namespace pelage {
 
+inline constexpr float kGreatestLength = 1e6f;  // of hair, in units of the mesh
+inline constexpr float kFloodReach =
+    1.0f / 40.0f;  // of the mean around a vertex, of the skin's size
+
+// The direction, at most as long as 1.
+vec3 shortened(vec3 direction);
+
 // How hard a tool works at a vertex.
 struct Touching {
     float coverage = 0.0f;  // [0,1] of the brush, without its strength

@@ -169,7 +169,7 @@ struct Renderer::Parts {
     StrandPlan plan(const Document& document, const View& view, const FrameData& frame,
                     float share) const;
     std::size_t drawStrands(const Canvas& canvas, const Document& document, const View& view,
-                            const FrameData& frame, const CostModel& cost);
+                            const FrameData& frame, StrandPlan strands, const CostModel& cost);
     mat4 viewProjection(const Document& document, const View& view) const;
 };
 
@@ -234,18 +234,16 @@ StrandPlan Renderer::Parts::plan(const Document& document, const View& view, con
                                  float share) const {
     const float over = document.fur.share;
     const float meanWidth = over * frame.overWidth + (1.0f - over) * frame.underWidth;
-    return planStrands(mirror.roots(), frame, meanWidth, mirror.longestHair(), share,
-                       view.cullByDistance);
+    return planStrands(mirror.roots(), frame, meanWidth, mirror.longestHair(),
+                       std::clamp(view.share, 0.0f, 1.0f) * share, view.cullByDistance);
 }
 
 std::size_t Renderer::Parts::drawStrands(const Canvas& canvas, const Document& document,
                                          const View& view, const FrameData& frame,
-                                         const CostModel& cost) {
-    const float share = std::clamp(view.share, 0.0f, 1.0f);
-    StrandPlan strands = plan(document, view, frame, share);
+                                         StrandPlan strands, const CostModel& cost) {
     if (view.budget > 0.0f) {
         const float fitting = cost.share(view.budget, strands.hairs);
-        if (fitting < 1.0f) strands = plan(document, view, frame, share * fitting);
+        if (fitting < 1.0f) strands = plan(document, view, frame, fitting);
     }
     FrameData withHairs = frame;
     withHairs.hairs = strands.hairs;
@@ -282,12 +280,12 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
     if (p.samples < wanted) {
         const bool bounded = view.budget > 0.0f;
         FrameData frame = p.frameData(document, view, p.samples, p.fine.size);
-        p.blurred = bounded &&
-                    p.fineCost.share(view.budget, p.plan(document, view, frame, view.share).hairs) <
-                        kLeastSharp;
+        StrandPlan strands = p.plan(document, view, frame, 1.0f);
+        p.blurred = bounded && p.fineCost.share(view.budget, strands.hairs) < kLeastSharp;
         if (p.blurred) {
             p.coarse.resize((view.size + 1) / 2);
             frame = p.frameData(document, view, p.samples, p.coarse.size);
+            strands = p.plan(document, view, frame, 1.0f);
         }
         const Canvas& canvas = p.blurred ? p.coarse : p.fine;
         CostModel& cost = p.blurred ? p.coarseCost : p.fineCost;
@@ -295,7 +293,8 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
         // The parts of a frame can only be told apart where each waits for the one before.
         if (bounded) glFinish();
         const auto strandStart = Clock::now();
-        const std::size_t tried = p.drawStrands(canvas, document, view, frame, cost);
+        const std::size_t tried =
+            p.drawStrands(canvas, document, view, frame, std::move(strands), cost);
         const double strandSeconds = secondsSince(strandStart);
         if (!single) p.postPass.accumulate(canvas.color, p.samples == 0);
         ++p.samples;
