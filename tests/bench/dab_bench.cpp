@@ -52,6 +52,8 @@ void BM_Dab(benchmark::State& state) {
     Brush brush;
     brush.tool = static_cast<Tool>(state.range(1));
     brush.radius = 0.05f * on.document.skin->size();
+    if (brush.tool == Tool::cut) brush.mode = Mode::set;  // to 0: every hair is longer
+    brush.color = {0.8f, 0.4f, 0.2f};
     const std::vector<SkinHit> path = flank(on.query, brush.radius / 8.0f);
     if (path.empty()) return state.SkipWithError("no ray met the flank");
     std::vector<uint> found;
@@ -84,7 +86,8 @@ void BM_Dab(benchmark::State& state) {
     state.counters["press_ms"] = 1e3 * median(presses);
 }
 BENCHMARK(BM_Dab)
-    ->ArgsProduct({{10000, 100000, 1000000, 2000000}, {0, 1, 2, 3, 4}})
+    ->ArgsProduct({{10000, 100000, 1000000, 2000000},
+                   benchmark::CreateDenseRange(0, static_cast<int>(kToolCount) - 1, 1)})
     ->ArgNames({"triangles", "tool"})
     ->Unit(benchmark::kMillisecond)
     ->UseManualTime();
