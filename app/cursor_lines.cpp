@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/app.h"
+#include "app/region_lines.h"
 #include "app/viewport.h"
 #include "core/segment_comb.h"
 
@@ -22,6 +23,9 @@ vec4 ringColor(const Brush& brush) {
             return {1.0f, 0.72f, 0.40f, 1.0f};
         case Tool::smooth:
             return {0.72f, 0.66f, 1.0f, 1.0f};
+        case Tool::tint:  // the color itself, or that of the coat
+            return vec4(brush.mode == Mode::subtract ? vec3(1.0f) : displayedColor(brush.color),
+                        1.0f);
         default:
             break;
     }
@@ -68,10 +72,10 @@ void addRing(const SkinQuery& query, const Ring& ring, std::vector<OverlayLine>&
 
 void addCursor(App& app, std::vector<OverlayLine>& lines) {
     const Viewport& viewport = app.viewport;
-    if (!viewport.hit) return;
-    const Brush brush = app.workspace.stroke
-                            ? app.workspace.stroke->brush()
-                            : heldBrush(app.session, viewport.shift, viewport.control);
+    if (!viewport.hit || app.session.hand.job != Job::paint) return;
+    const Brush brush = app.workspace.stroke ? app.workspace.stroke->brush()
+                                             : brushInHand(app, viewport.hit->position,
+                                                           viewport.shift, viewport.control);
     const SkinQuery& query = *app.workspace.query;
     const vec4 outer = ringColor(brush);
     const vec4 inner{outer.x, outer.y, outer.z, 0.4f + 0.5f * brush.strength};
@@ -166,6 +170,7 @@ void updateLines(App& app) {
     if (!app.isOpen()) return;
     if (app.session.view.overlay == Overlay::direction) addArrows(app, lines);
     if (std::exchange(app.session.segment.shown, false)) addAxes(app, lines);
+    if (app.session.regionShown) addRegionOutline(app, lines);
     addCursor(app, lines);
 }
 

@@ -18,16 +18,19 @@
 #include "app/actions.h"
 #include "app/app.h"
 #include "app/frame.h"
+#include "app/pen.h"
 
 namespace pelage {
 namespace {
 
 constexpr double kRest = 0.15;  // s without change until the picture converges
+constexpr int kLightTouchKey = GLFW_KEY_Z;
 
 struct Window {
     GLFWwindow* handle = nullptr;
     App app;
     std::unique_ptr<Renderer> renderer;
+    Pen pen;
     FrameKeys keys;
     int redraws = 0;     // frames still needed for widgets to settle
     bool events = true;  // something came since the last frame
@@ -64,6 +67,7 @@ void onKey(GLFWwindow* handle, int key, int scancode, int action, int mods) {
     const bool down = action != GLFW_RELEASE;
     if (key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT) viewport.shift = down;
     if (key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL) viewport.control = down;
+    if (keyOnLayout(key, scancode) == kLightTouchKey) viewport.light = down;
     if (!down) return;
     constexpr int kMods = GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT;
     window.keys.pressed.push_back(
@@ -76,7 +80,11 @@ PointerEvent pointerEvent(GLFWwindow* handle, PointerKind kind) {
     const auto held = [&](int left, int right) {
         return glfwGetKey(handle, left) == GLFW_PRESS || glfwGetKey(handle, right) == GLFW_PRESS;
     };
-    PointerEvent event{.kind = kind, .at = windowOf(handle).toUnits(x, y)};
+    Window& window = windowOf(handle);
+    PointerEvent event{.kind = kind, .at = window.toUnits(x, y)};
+    event.pressure = window.pen.pressure();
+    event.light = window.app.viewport.light;
+    event.seconds = glfwGetTime();
     event.shift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
     event.control = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
     event.alt = held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
@@ -132,7 +140,10 @@ void listen(GLFWwindow* handle) {
     glfwSetFramebufferSizeCallback(handle, [](GLFWwindow* of, int, int) { happened(of); });
     glfwSetWindowRefreshCallback(handle, happened);
     glfwSetWindowFocusCallback(handle, [](GLFWwindow* of, int) { happened(of); });
-    glfwSetCursorEnterCallback(handle, [](GLFWwindow* of, int) { happened(of); });
+    glfwSetCursorEnterCallback(handle, [](GLFWwindow* of, int entered) {
+        happened(of);
+        windowOf(of).pen.listen(entered == GLFW_TRUE);
+    });
     glfwSetWindowContentScaleCallback(handle, [](GLFWwindow* of, float, float) { happened(of); });
 }
 

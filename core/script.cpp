@@ -10,6 +10,8 @@
 #include "coat.h"
 #include "files.h"
 #include "gltf_out.h"
+#include "gradient.h"
+#include "mask_edit.h"
 #include "region_text.h"
 #include "script_text.h"
 #include "segment_text.h"
@@ -144,9 +146,7 @@ void runReset(Workspace& workspace, Words& words) {
     editor.commit(std::string("Reset ") + tool.name);
 }
 
-void runSegmentLine(Workspace& workspace, Words& words) {
-    runSegment(editorOf(workspace), words);
-}
+void runSegmentLine(Workspace& workspace, Words& words) { runSegment(editorOf(workspace), words); }
 
 void runComb(Workspace& workspace, Words& words) { runHeadToTail(editorOf(workspace), words); }
 
@@ -158,6 +158,15 @@ void runRegion(Workspace& workspace, Words& words) {
     applyRegion(*workspace.query, groom, region, change);
     editor.edit([&](Document& document) { document.groom = std::move(groom); });
     editor.commit(regionLabel(region, change));
+}
+
+void runGradientLine(Workspace& workspace, Words& words) {
+    runGradient(editorOf(workspace), words);
+}
+
+void runMaskLine(Workspace& workspace, Words& words) {
+    Editor& editor = editorOf(workspace);
+    runMask(*workspace.query, editor, words);
 }
 
 void runUndo(Workspace& workspace, Words& words) {
@@ -180,7 +189,7 @@ struct Command {
     const char* name;
     void (*run)(Workspace&, Words&);
 };
-constexpr std::array<Command, 13> kCommands{{{"open", runOpen},
+constexpr std::array<Command, 15> kCommands{{{"open", runOpen},
                                              {"animal", runAnimal},
                                              {"preset", runPreset},
                                              {"set", runSet},
@@ -190,6 +199,8 @@ constexpr std::array<Command, 13> kCommands{{{"open", runOpen},
                                              {"segment", runSegmentLine},
                                              {"comb", runComb},
                                              {"region", runRegion},
+                                             {"gradient", runGradientLine},
+                                             {"mask", runMaskLine},
                                              {"undo", runUndo},
                                              {"redo", runRedo},
                                              {"save", runSave}}};
@@ -237,15 +248,16 @@ void Workspace::open(Document document) {
     editor = std::move(newEditor);
 }
 
-void Workspace::press(const Brush& brush, vec3 position, vec3 normal) {
+void Workspace::press(const Brush& brush, vec3 position, vec3 normal, float pressure) {
     cancelStroke();
     stroke.emplace(*query, editor->document().groom, brush);
-    drag(position, normal);
+    drag(position, normal, pressure);
 }
 
-void Workspace::drag(vec3 position, vec3 normal) {
+void Workspace::drag(vec3 position, vec3 normal, [[maybe_unused]] float pressure) {
     if (!stroke) return;
-    editor->edit([&](Document& document) { stroke->dab(document.groom, position, normal); });
+    editor->edit(
+        [&](Document& document) { stroke->dab(document.groom, position, normal); });
 }
 
 std::string Workspace::release() {

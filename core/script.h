@@ -9,6 +9,10 @@
 //          [mirror] [through] : px py pz nx ny nz  px py pz nx ny nz ...
 //   flood TOOL [add|subtract|set VALUE] [color r g b] [strength S] [direction x y z]
 //   region WHERE [sizes] [falloff F] : CHANNEL ACT      as region_text.h says
+//   gradient TOOL [between] from x y z VALUE to x y z VALUE         as gradient.h says
+//   mask invert|clear|fill                 the whole painted mask, as mask_edit.h says
+//   mask grow|shrink|smooth [RINGS]
+//   mask from length|density|WHERE ...
 //   reset TOOL                             what the tool paints, as it was before any painting
 //   segment NAME [axis x y z] [weight W]  combs a body segment along its own axis or this one
 //   comb head-to-tail [weight W]           combs the whole body along its segments
@@ -42,8 +46,8 @@ struct Workspace {
     void open(Document document);
 
     // A stroke by hand. Drag and release do nothing without a press.
-    void press(const Brush& brush, vec3 position, vec3 normal);
-    void drag(vec3 position, vec3 normal);
+    void press(const Brush& brush, vec3 position, vec3 normal, float pressure = 1.0f);
+    void drag(vec3 position, vec3 normal, float pressure = 1.0f);
     // Ends the stroke as one step of history, and returns its script line; empty if it changed
     // nothing, and then there is no step.
     std::string release();

@@ -19,15 +19,6 @@ std::optional<std::size_t> place(std::span<const char* const> names, std::string
     return std::nullopt;
 }
 
-float numberAfter(Words& words, std::string_view what, float least, float greatest) {
-    const std::string_view word = words.next();
-    const std::optional<float> number = floatFromText(word);
-    if (!number || *number < least || *number > greatest)
-        throw std::runtime_error(std::string(what) + " " + inQuotes(word) + " is no number from " +
-                                 floatText(least) + " to " + floatText(greatest));
-    return *number;
-}
-
 }  // namespace
 
 const ToolInfo& toolNamed(std::string_view word) {
@@ -80,6 +71,25 @@ std::string_view Words::path() {
     rest_.remove_prefix(first);
     if (rest_.ends_with('\r')) rest_.remove_suffix(1);
     return rest_;
+}
+
+float numberFrom(std::string_view word, std::string_view what, float least, float greatest) {
+    const std::optional<float> number = floatFromText(word);
+    if (!number || *number < least || *number > greatest)
+        throw std::runtime_error(std::string(what) + " " + inQuotes(word) + " is no number from " +
+                                 floatText(least) + " to " + floatText(greatest));
+    return *number;
+}
+
+float numberAfter(Words& words, std::string_view what, float least, float greatest) {
+    return numberFrom(words.next(), what, least, greatest);
+}
+
+vec3 pointAfter(Words& words, std::string_view what) {
+    constexpr float kMost = 1e6f;  // m; also keeps squares of it finite
+    vec3 read(0.0f);
+    for (int i = 0; i < 3; ++i) read[i] = numberAfter(words, what, -kMost, kMost);
+    return read;
 }
 
 BrushWords brushFromWords(Words& words, bool ofStroke) {

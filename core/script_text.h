@@ -34,6 +34,12 @@ private:
 // The row of the tool table. Throws std::runtime_error that lists the tools.
 const ToolInfo& toolNamed(std::string_view word);
 
+// A word, or the next one, as a number within these bounds; three of them. Throw
+// std::runtime_error that says what the number is of.
+float numberFrom(std::string_view word, std::string_view what, float least, float greatest);
+float numberAfter(Words& words, std::string_view what, float least, float greatest);
+vec3 pointAfter(Words& words, std::string_view what);
+
 struct BrushWords {
     Brush brush;
     std::string_view stopped;  // the word that no brush knows; empty at the end of the line

@@ -43,21 +43,34 @@ void drawModes(App& app, Brush& brush) {
         brush.mode = static_cast<Mode>(*mode);
 }
 
+// In the unit in which it is kept, on the skin or on the screen.
+void drawRadius(App& app, LengthUnit unit, const char* format) {
+    if (!app.isOpen()) return;
+    const Ui ui = uiOf(app);
+    const bool screen = app.session.hand.screenRadius;
+    const float scale = screen ? 1.0f : app.skin().size() * unit.perMetre;
+    Number number{.least = screen ? kLeastScreenRadius : kSmallestRadius * scale,
+                  .greatest = screen ? kMostScreenRadius : kLargestRadius * scale,
+                  .fallback = screen ? Hand().radius : kFirstRadius * scale,
+                  .format = screen ? "%.0f px" : format,
+                  .logarithmic = true,
+                  .help = "Radius of the brush. [ and ] or F."};
+    const float perUnit = screen ? 1.0f : unit.perMetre;
+    if (const auto radius = numberRow(ui, "Radius", radiusInUnit(app) * perUnit, number))
+        setRadiusInUnit(app, *radius / perUnit);
+    constexpr const char* kUnits[] = {"On the skin", "On screen"};
+    if (const auto other = choiceRow(ui, "unit", kUnits, screen ? 1 : 0))
+        chooseScreenRadius(app, *other == 1);
+    tip(ui, "The radius stays the same on the skin, or on the screen however near you are.");
+}
+
 void drawNumbers(App& app, Brush& brush) {
     const Ui ui = uiOf(app);
     const float size = app.isOpen() ? app.skin().size() : 1.0f;
     const LengthUnit unit = unitFor(size);
     char format[24];
     std::snprintf(format, sizeof format, "%%.2f %s", unit.name);
-    if (const auto radius = numberRow(ui, "Radius", brush.radius * unit.perMetre,
-                                      {.least = kSmallestRadius * size * unit.perMetre,
-                                       .greatest = kLargestRadius * size * unit.perMetre,
-                                       .fallback = kFirstRadius * size * unit.perMetre,
-                                       .format = format,
-                                       .logarithmic = true,
-                                       .help = "Radius of the brush on the skin. [ and ] or F."});
-        radius && app.isOpen())
-        setRadius(app.session, app.skin(), *radius / unit.perMetre);
+    drawRadius(app, unit, format);
     if (const auto strength = numberRow(ui, "Strength", brush.strength,
                                         {.least = 0.01f,
                                          .fallback = 0.5f,
@@ -156,13 +169,18 @@ void drawBrushPanel(App& app, const Layout& layout) {
         ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - app.theme.px(10));
         ImGui::TextDisabled("%s", key.c_str());
     }
+    drawHandRows(app);
+    if (brush.tool == Tool::mask) drawMaskButtons(app);
+    drawGradientRows(app);
     caption(ui, "EVERYWHERE");
     drawFlood(app, brush);
 
     ImGui::Dummy({0, app.theme.px(4)});
     ImGui::PushFont(app.theme.small);
     ImGui::PushStyleColor(ImGuiCol_Text, color::kDim);
-    ImGui::TextWrapped("Ctrl exchanges the two ways of the brush.\nShift smooths.");
+    ImGui::TextWrapped(
+        "Ctrl exchanges the two ways of the brush. Shift smooths; Shift+click paints a line from "
+        "the end of the last stroke.");
     ImGui::PopStyleColor();
     ImGui::PopFont();
     ImGui::End();

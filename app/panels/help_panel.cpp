@@ -18,6 +18,8 @@ constexpr MouseHelp kMouse[] = {
     {"Left drag", "Paint"},
     {"Ctrl + left drag", "Paint with add and subtract exchanged"},
     {"Shift + left drag", "Smooth"},
+    {"Shift + click", "Paint a line from the end of the last stroke"},
+    {"Hold Z while painting", "A light touch, as of a pen"},
     {"Esc, right click", "Give up the stroke"},
     {"Middle drag, Alt + left drag", "Turn"},
     {"Shift + middle, Alt + middle", "Move"},
@@ -85,7 +87,7 @@ void drawHelp(App& app) {
             ImGui::Dummy({0, app.theme.px(2)});
         }
         ImGui::TableNextColumn();
-        for (const char* menu : {"Brush", "Edit"}) drawActionKeys(app, menu);
+        for (const char* menu : {"Brush", "Mask", "Edit"}) drawActionKeys(app, menu);
         ImGui::TableNextColumn();
         for (const char* menu : {"View", "File", "Help"}) drawActionKeys(app, menu);
         ImGui::EndTable();

@@ -15,6 +15,9 @@ struct Layout {
 float drawMenu(App& app);  // its height
 void drawToolbar(App& app, const Layout& layout);
 void drawBrushPanel(App& app, const Layout& layout);
+void drawHandRows(App& app);  // parts of it
+void drawGradientRows(App& app);
+void drawMaskButtons(App& app);
 void drawSidePanel(App& app, const Layout& layout);  // tabs: coats, view, history, body, regions
 void drawCoats(App& app);
 void drawRegions(App& app);
