@@ -187,7 +187,7 @@ constexpr Action kActions[] = {
      nullptr},
     {"brush.gradient",
      "Brush",
-     "Gradient",
+     "Drag a gradient",
      "",
      "Drag from one place to another: what this brush sets goes from one value to the other.",
      {{{GLFW_KEY_G}}},

@@ -83,7 +83,8 @@ void addCursor(App& app, std::vector<OverlayLine>& lines) {
     const SkinHit& hit = *viewport.hit;
     // Two units wide, with a dark edge so that it is seen on light fur.
     const float unit = app.theme.scale * worldPerUnit(app.session.camera, viewport, hit.distance);
-    const vec4 edge{0.0f, 0.0f, 0.0f, 0.4f};
+    const bool dark = brush.tool == Tool::tint && outer.x + outer.y + outer.z < 1.2f;
+    const vec4 edge(vec3(dark ? 1.0f : 0.0f), 0.4f);
     addRing(query, {hit.position, hit.normal, brush.radius + 1.6f * unit, edge}, lines);
     addRing(query, {hit.position, hit.normal, brush.radius + 0.5f * unit, outer}, lines);
     addRing(query, {hit.position, hit.normal, brush.radius - 0.5f * unit, outer}, lines);

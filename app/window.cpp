@@ -36,10 +36,8 @@ struct Window {
     bool events = true;  // something came since the last frame
     bool closing = false;
     std::string title;
-
-    vec2 toUnits(double x, double y) const {
-        return {static_cast<float>(x), static_cast<float>(y)};
-    }
+    // Window units, as the events tell it: when a slow frame is over glfwGetCursorPos is ahead.
+    vec2 cursor{-1.0f};
 };
 
 Window& windowOf(GLFWwindow* handle) {
@@ -75,13 +73,11 @@ void onKey(GLFWwindow* handle, int key, int scancode, int action, int mods) {
 }
 
 PointerEvent pointerEvent(GLFWwindow* handle, PointerKind kind) {
-    double x = 0, y = 0;
-    glfwGetCursorPos(handle, &x, &y);
     const auto held = [&](int left, int right) {
         return glfwGetKey(handle, left) == GLFW_PRESS || glfwGetKey(handle, right) == GLFW_PRESS;
     };
     Window& window = windowOf(handle);
-    PointerEvent event{.kind = kind, .at = window.toUnits(x, y)};
+    PointerEvent event{.kind = kind, .at = window.cursor};
     event.pressure = window.pen.pressure();
     event.light = window.app.viewport.light;
     event.seconds = glfwGetTime();
@@ -93,9 +89,8 @@ PointerEvent pointerEvent(GLFWwindow* handle, PointerKind kind) {
 
 void onCursor(GLFWwindow* handle, double x, double y) {
     happened(handle);
-    PointerEvent event = pointerEvent(handle, PointerKind::move);
-    event.at = windowOf(handle).toUnits(x, y);
-    windowOf(handle).app.viewport.events.push_back(event);
+    windowOf(handle).cursor = {static_cast<float>(x), static_cast<float>(y)};
+    windowOf(handle).app.viewport.events.push_back(pointerEvent(handle, PointerKind::move));
 }
 
 void onButton(GLFWwindow* handle, int button, int action, int mods) {

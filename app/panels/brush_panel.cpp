@@ -56,12 +56,16 @@ void drawRadius(App& app, LengthUnit unit, const char* format) {
                   .logarithmic = true,
                   .help = "Radius of the brush. [ and ] or F."};
     const float perUnit = screen ? 1.0f : unit.perMetre;
-    if (const auto radius = numberRow(ui, "Radius", radiusInUnit(app) * perUnit, number))
+    rowLabel(ui, "Radius");
+    const float button = app.theme.px(30), gap = app.theme.px(3);
+    ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - button - gap);
+    if (const auto radius = numberBar(ui, "##radius", radiusInUnit(app) * perUnit, number))
         setRadiusInUnit(app, *radius / perUnit);
-    constexpr const char* kUnits[] = {"On the skin", "On screen"};
-    if (const auto other = choiceRow(ui, "unit", kUnits, screen ? 1 : 0))
-        chooseScreenRadius(app, *other == 1);
-    tip(ui, "The radius stays the same on the skin, or on the screen however near you are.");
+    ImGui::SameLine(0.0f, gap);
+    ImGui::PushStyleColor(ImGuiCol_Button, screen ? color::kAccentDeep : color::kFrame);
+    if (ImGui::Button("px", {button, 0.0f})) chooseScreenRadius(app, !screen);
+    ImGui::PopStyleColor();
+    tip(ui, "The radius stays the same on the screen, however near you are, and not on the skin.");
 }
 
 void drawNumbers(App& app, Brush& brush) {
@@ -110,7 +114,6 @@ void drawNumbers(App& app, Brush& brush) {
 
 void drawFlood(App& app, const Brush& brush) {
     const Ui ui = uiOf(app);
-    const float width = ImGui::GetContentRegionAvail().x;
     if (brush.tool == Tool::comb) {
         constexpr const char* kNames[] = {"Backward", "Forward", "Down", "Up", "Left", "Right"};
         constexpr vec3 kDirections[] = {{0, 0, -1}, {0, 0, 1}, {0, -1, 0},
@@ -122,16 +125,9 @@ void drawFlood(App& app, const Brush& brush) {
         if (const auto other = choiceList(ui, "##direction", kNames, chosen))
             app.session.floodDirection = kDirections[*other];
     }
-    constexpr struct {
-        const char *name, *label;
-    } kButtons[] = {{"brush.flood", "Flood the entire skin"}, {"brush.reset", "Reset"}};
-    for (const auto& [name, label] : kButtons) {
-        const Action& action = actionNamed(name);
-        ImGui::BeginDisabled(!isEnabled(app, action));
-        if (plainButton(ui, label, width)) perform(app, action);
-        ImGui::EndDisabled();
-        tip(ui, action.help);
-    }
+    constexpr const char* kButtons[] = {"brush.flood", "brush.reset"};
+    actionButtons(app, kButtons, 2);
+    drawGradient(app);
 }
 
 }  // namespace
@@ -158,6 +154,7 @@ void drawBrushPanel(App& app, const Layout& layout) {
     if (const auto other = choiceList(ui, "##falloff", kFalloffs, static_cast<int>(brush.falloff)))
         brush.falloff = static_cast<Falloff>(*other);
     tip(ui, "How the effect fades from the middle of the brush to its edge.");
+    if (brush.tool == Tool::mask) drawMaskButtons(app);
 
     caption(ui, "WHERE");
     for (const char* name : {"brush.mirror", "brush.facing"}) {
@@ -169,18 +166,15 @@ void drawBrushPanel(App& app, const Layout& layout) {
         ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - app.theme.px(10));
         ImGui::TextDisabled("%s", key.c_str());
     }
-    drawHandRows(app);
-    if (brush.tool == Tool::mask) drawMaskButtons(app);
-    drawGradientRows(app);
     caption(ui, "EVERYWHERE");
     drawFlood(app, brush);
+    drawHandRows(app);
 
     ImGui::Dummy({0, app.theme.px(4)});
     ImGui::PushFont(app.theme.small);
     ImGui::PushStyleColor(ImGuiCol_Text, color::kDim);
     ImGui::TextWrapped(
-        "Ctrl exchanges the two ways of the brush. Shift smooths; Shift+click paints a line from "
-        "the end of the last stroke.");
+        "Ctrl: the other way. Shift: smooth.\nShift+click: a line from the last stroke.");
     ImGui::PopStyleColor();
     ImGui::PopFont();
     ImGui::End();

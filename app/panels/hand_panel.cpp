@@ -32,6 +32,8 @@ void rampRow(App& app, Tool tool, const char* label, vec3& value, vec3 fallback)
         value = vec3(*number / scale);
 }
 
+}  // namespace
+
 void actionButtons(App& app, std::span<const char* const> names, int columns) {
     const Ui ui = uiOf(app);
     const float gap = app.theme.px(3);
@@ -49,8 +51,6 @@ void actionButtons(App& app, std::span<const char* const> names, int columns) {
     }
 }
 
-}  // namespace
-
 void drawMaskButtons(App& app) {
     caption(uiOf(app), "MASK");
     constexpr const char* kThree[] = {"mask.invert", "mask.clear",  "mask.fill",
@@ -62,20 +62,20 @@ void drawMaskButtons(App& app) {
     actionButtons(app, kOne, 1);
 }
 
-void drawGradientRows(App& app) {
-    const auto tool = fieldOf(app.session.tool);
-    if (!tool || !app.isOpen()) return;
-    const Ui ui = uiOf(app);
-    Hand& hand = app.session.hand;
-    caption(ui, "GRADIENT");
+void drawGradient(App& app) {
     const Action& action = actionNamed("brush.gradient");
-    bool on = action.checked(app);
-    if (toggleRow(ui, "Drag a gradient", &on, action.help)) perform(app, action);
-    if (!on) return;
+    const bool on = action.checked(app);
+    ImGui::PushStyleColor(ImGuiCol_Button, on ? color::kAccentDeep : color::kFrame);
+    constexpr const char* kGradient[] = {"brush.gradient"};
+    actionButtons(app, kGradient, 1);
+    ImGui::PopStyleColor();
+    const auto tool = fieldOf(app.session.tool);
+    if (!on || !tool) return;
+    Hand& hand = app.session.hand;
     Ramp& ramp = hand.ramps[static_cast<std::size_t>(*tool)];
     rampRow(app, *tool, "From", ramp.start, ramp.end);
     rampRow(app, *tool, "To", ramp.end, ramp.start);
-    toggleRow(ui, "Only between", &hand.between,
+    toggleRow(uiOf(app), "Only between", &hand.between,
               "Leaves hair alone that lies beyond the ends; otherwise it takes the value of the "
               "nearer end.");
 }
