@@ -67,11 +67,13 @@ Stroke::Stroke(const SkinQuery& query, Groom before, Brush brush)
     if (brush.tool == Tool::smooth) averages_.emplace(query, before_, kSmoothReach * radius());
 }
 
-void Stroke::dab(Groom& groom, vec3 position, vec3 normal) {
+void Stroke::dab(Groom& groom, vec3 position, vec3 normal, float pressure) {
     const Skin& skin = query_->skin();
     const float farthest = kFarthest * skin.size();
     if (!finite(position) || glm::distance(position, skin.center()) > farthest) return;
-    const Sample to{position, finite(normal) ? normal : vec3(0.0f)};
+    if (!std::isfinite(pressure)) return;
+    const Sample to{position, finite(normal) ? normal : vec3(0.0f),
+                    std::clamp(pressure, 0.0f, 1.0f)};
     const Sample from = samples_.empty() ? to : samples_.back();
     if (samples_.empty()) lastStep_ = position;
     samples_.push_back(to);
@@ -83,7 +85,8 @@ void Stroke::dab(Groom& groom, vec3 position, vec3 normal) {
         const float t = static_cast<float>(k) / static_cast<float>(pieces);
         const Sample end = k == pieces ? to
                                        : Sample{glm::mix(from.position, to.position, t),
-                                                glm::mix(from.normal, to.normal, t)};
+                                                glm::mix(from.normal, to.normal, t),
+                                                glm::mix(from.pressure, to.pressure, t)};
         Piece piece{begin, end, combSteps(begin.position, end.position)};
         cover(groom, piece);
         if (brush_.mirrorX) {
@@ -112,7 +115,7 @@ std::vector<Stroke::Sample> Stroke::combSteps(vec3 from, vec3 to) {
     double next = spacing - sinceStep_;
     for (; next <= length; next += spacing) {
         const vec3 place = glm::mix(from, to, static_cast<float>(next / length));
-        steps.push_back({place, (place - lastStep_) / static_cast<float>(spacing)});
+        steps.push_back({place, (place - lastStep_) / static_cast<float>(spacing), 1.0f});
         lastStep_ = place;
     }
     sinceStep_ = length - (next - spacing);
@@ -157,7 +160,8 @@ bool Stroke::touch(const SkinVertex& vertex, const Piece& piece, Touch& touched)
 
     const vec3 offset = away - t * along;
     const float distance = glm::length(offset);
-    const float coverage = facing * falloffWeight(brush_.falloff, distance, radius());
+    const float coverage = facing * glm::mix(piece.from.pressure, piece.to.pressure, t) *
+                           falloffWeight(brush_.falloff, distance, radius());
     float& covered = piece.mirrored ? touched.mirrored : touched.coverage;
     bool changed = coverage > covered;
     covered = std::max(covered, coverage);
@@ -180,12 +184,15 @@ bool Stroke::touch(const SkinVertex& vertex, const Piece& piece, Touch& touched)
 }
 
 std::string Stroke::line() const {
-    std::string text = "stroke " + brushText(brush_) + " :";
+    const bool pressed = std::any_of(samples_.begin(), samples_.end(),
+                                     [](const Sample& sample) { return sample.pressure != 1.0f; });
+    std::string text = "stroke " + brushText(brush_) + (pressed ? " pressure :" : " :");
     for (const Sample& sample : samples_) {
         text += ' ';
         for (const float number : {sample.position.x, sample.position.y, sample.position.z,
                                    sample.normal.x, sample.normal.y, sample.normal.z})
             text += ' ' + floatText(number);
+        if (pressed) text += ' ' + floatText(sample.pressure);
     }
     return text;
 }

@@ -84,7 +84,8 @@ public:
     // the touched vertices of `groom`. `normal` is that of the skin under the cursor. Cost grows
     // with the footprint and not with the mesh. A mirrored brush dabs both sides. Points that are
     // not finite or farther than two sizes from the middle of the skin are no part of the path.
-    void dab(Groom& groom, vec3 position, vec3 normal);
+    // `pressure`, [0,1], scales the coverage; between two points it changes evenly.
+    void dab(Groom& groom, vec3 position, vec3 normal, float pressure = 1.0f);
 
     const Brush& brush() const { return brush_; }
 
@@ -94,6 +95,7 @@ public:
 private:
     struct Sample {
         vec3 position, normal;
+        float pressure = 1.0f;
     };
     // What the path so far did to a vertex.
     struct Touch {

@@ -59,6 +59,14 @@ vec3 pointFromWords(Words& words) {
     return point;
 }
 
+float pressureFromWords(Words& words) {
+    const std::string_view word = words.next();
+    const std::optional<float> number = floatFromText(word);
+    if (!number || !(*number >= 0.0f && *number <= 1.0f))
+        throw std::runtime_error(inQuotes(word) + " is no pressure from 0 to 1");
+    return *number;
+}
+
 void runOpen(Workspace& workspace, Words& words) {
     workspace.open(openDocument(readSource(pathOf(words))));
 }
@@ -101,18 +109,28 @@ void runSet(Workspace& workspace, Words& words) {
 
 void runStroke(Workspace& workspace, Words& words) {
     Editor& editor = editorOf(workspace);
-    const auto [brush, stopped] = brushFromWords(words, true);
+    auto [brush, stopped] = brushFromWords(words, true);
+    const bool pressed = stopped == "pressure";
+    if (pressed) stopped = words.next();
     if (stopped != ":")
         throw std::runtime_error(stopped.empty() ? "the stroke has no : and no points"
                                                  : "no brush knows " + inQuotes(stopped));
-    std::vector<vec3> points;
-    while (!words.done()) points.push_back(pointFromWords(words));
-    if (points.size() % 2 != 0)
-        throw std::runtime_error("the last point of the stroke has no normal");
+    struct Point {
+        vec3 position, normal;
+        float pressure = 1.0f;
+    };
+    std::vector<Point> points;
+    while (!words.done()) {
+        Point point{pointFromWords(words), vec3(0.0f)};
+        if (words.done()) throw std::runtime_error("the last point of the stroke has no normal");
+        point.normal = pointFromWords(words);
+        if (pressed) point.pressure = pressureFromWords(words);
+        points.push_back(point);
+    }
     editor.edit([&, &of = brush](Document& document) {
         Stroke stroke(*workspace.query, document.groom, of);
-        for (std::size_t i = 0; i < points.size(); i += 2)
-            stroke.dab(document.groom, points[i], points[i + 1]);
+        for (const Point& point : points)
+            stroke.dab(document.groom, point.position, point.normal, point.pressure);
     });
     editor.commit(strokeLabel(brush));
 }
@@ -254,10 +272,10 @@ void Workspace::press(const Brush& brush, vec3 position, vec3 normal, float pres
     drag(position, normal, pressure);
 }
 
-void Workspace::drag(vec3 position, vec3 normal, [[maybe_unused]] float pressure) {
+void Workspace::drag(vec3 position, vec3 normal, float pressure) {
     if (!stroke) return;
     editor->edit(
-        [&](Document& document) { stroke->dab(document.groom, position, normal); });
+        [&](Document& document) { stroke->dab(document.groom, position, normal, pressure); });
 }
 
 std::string Workspace::release() {

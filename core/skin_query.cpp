@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -81,6 +82,83 @@ bool noteRun(RTCPointQueryFunctionArguments* arguments) {
     if (glm::dot(away, away) <= search.radius * search.radius)
         search.runs.push_back(arguments->primID);
     return false;
+}
+
+// Unit normal of a face; its winding decides the side. In double: the squared area of a small
+// triangle is far below the range of float.
+vec3 faceNormal(const Skin& skin, uvec3 corners) {
+    const glm::dvec3 a(skin.vertices[corners.x].position), b(skin.vertices[corners.y].position),
+        c(skin.vertices[corners.z].position);
+    return vec3(glm::normalize(glm::cross(b - a, c - a)));
+}
+
+// On the side of the hair, which need not be that of the winding in a mirrored part.
+vec3 hairNormal(const Skin& skin, uvec3 corners) {
+    const vec3 normal = faceNormal(skin, corners);
+    const vec3 hair = skin.vertices[corners.x].normal + skin.vertices[corners.y].normal +
+                      skin.vertices[corners.z].normal;
+    return glm::dot(normal, hair) < 0.0f ? -normal : normal;
+}
+
+struct Weights {
+    double u = 0.0, v = 0.0;  // of the second and third corner, each >= 0, sum <= 1
+};
+
+// Of the point of a triangle nearest to the origin (after Ericson, Real-Time Collision Detection,
+// 2005, section 5.1.5).
+Weights nearestInTriangle(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
+    const glm::dvec3 ab = b - a, ac = c - a;
+    const double d1 = -glm::dot(ab, a), d2 = -glm::dot(ac, a);
+    if (d1 <= 0.0 && d2 <= 0.0) return {0.0, 0.0};
+    const double d3 = -glm::dot(ab, b), d4 = -glm::dot(ac, b);
+    if (d3 >= 0.0 && d4 <= d3) return {1.0, 0.0};
+    const double ofC = d1 * d4 - d3 * d2;
+    if (ofC <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return {d1 / (d1 - d3), 0.0};
+    const double d5 = -glm::dot(ab, c), d6 = -glm::dot(ac, c);
+    if (d6 >= 0.0 && d5 <= d6) return {0.0, 1.0};
+    const double ofB = d5 * d2 - d1 * d6;
+    if (ofB <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return {0.0, d2 / (d2 - d6)};
+    const double ofA = d3 * d6 - d5 * d4;
+    if (ofA <= 0.0 && d4 >= d3 && d5 >= d6) {
+        const double v = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+        return {1.0 - v, v};
+    }
+    const double sum = ofA + ofB + ofC;
+    return {ofB / sum, ofC / sum};
+}
+
+struct NearestSearch {
+    const Skin* skin;
+    glm::dvec3 point;
+    vec3 facing;
+    double square = std::numeric_limits<double>::infinity();  // m^2, of the distance so far
+    uint triangle = 0;
+    Weights weights{};
+};
+
+// Keeps the triangle if it is nearer, or as near and earlier, and narrows the search to it.
+bool noteNearest(RTCPointQueryFunctionArguments* arguments) {
+    auto& search = *static_cast<NearestSearch*>(arguments->userPtr);
+    const Skin& skin = *search.skin;
+    const uint triangle = arguments->primID;
+    if (!(skin.areas[triangle] > 0.0f)) return false;
+    const uvec3 corners = skin.triangles[triangle];
+    if (search.facing != vec3(0.0f) &&
+        !(glm::dot(hairNormal(skin, corners), search.facing) > 0.0f))
+        return false;
+    const glm::dvec3 a = glm::dvec3(skin.vertices[corners.x].position) - search.point;
+    const glm::dvec3 b = glm::dvec3(skin.vertices[corners.y].position) - search.point;
+    const glm::dvec3 c = glm::dvec3(skin.vertices[corners.z].position) - search.point;
+    const Weights weights = nearestInTriangle(a, b, c);
+    const glm::dvec3 away = a + weights.u * (b - a) + weights.v * (c - a);
+    const double square = glm::dot(away, away);
+    if (!(square < search.square || (square == search.square && triangle < search.triangle)))
+        return false;
+    search.square = square;
+    search.triangle = triangle;
+    search.weights = weights;
+    arguments->query->radius = std::min(static_cast<float>(std::sqrt(square)) * kSlack, kFarthest);
+    return true;
 }
 
 }  // namespace
@@ -201,11 +279,36 @@ std::optional<SkinHit> SkinQuery::cast(vec3 origin, vec3 direction) const {
     const vec3 b = skin().vertices[corners.y].position;
     const vec3 c = skin().vertices[corners.z].position;
     hit.position = (1.0f - hit.u - hit.v) * a + hit.u * b + hit.v * c;
-    // In double: the squared area of a small triangle is far below the range of float.
-    const glm::dvec3 across =
-        glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
-    hit.normal = vec3(glm::normalize(across));
+    hit.normal = faceNormal(skin(), corners);
     if (glm::dot(hit.normal, direction) > 0.0f) hit.normal = -hit.normal;
+    return hit;
+}
+
+std::optional<SkinHit> SkinQuery::nearest(vec3 point, vec3 facing) const {
+    if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z))
+        return std::nullopt;
+    NearestSearch search{&skin(), glm::dvec3(point), facing};
+    RTCPointQuery query{};
+    query.x = point.x;
+    query.y = point.y;
+    query.z = point.z;
+    query.radius = kFarthest;
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    rtcPointQuery(scenes_->rays, &query, &context, noteNearest, &search);
+    if (!(search.square < std::numeric_limits<double>::infinity())) return std::nullopt;
+
+    SkinHit hit;
+    hit.triangle = search.triangle;
+    hit.u = static_cast<float>(search.weights.u);
+    hit.v = static_cast<float>(search.weights.v);
+    hit.distance = static_cast<float>(std::sqrt(search.square));
+    const uvec3 corners = skin().triangles[hit.triangle];
+    const glm::dvec3 a(skin().vertices[corners.x].position);
+    const glm::dvec3 b(skin().vertices[corners.y].position);
+    const glm::dvec3 c(skin().vertices[corners.z].position);
+    hit.position = vec3(a + search.weights.u * (b - a) + search.weights.v * (c - a));
+    hit.normal = hairNormal(skin(), corners);
     return hit;
 }
 

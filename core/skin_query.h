@@ -1,4 +1,4 @@
-// skin_query.h -- where a ray meets the skin, and which vertices lie near a point.
+// skin_query.h -- where a ray meets the skin, and what of it lies near a point.
 #pragma once
 
 #include <memory>
@@ -11,10 +11,10 @@ namespace pelage {
 
 struct SkinHit {
     vec3 position{0.0f};  // world
-    vec3 normal{0.0f};    // unit, of the face, turned towards where the ray came from
+    vec3 normal{0.0f};    // unit, of the face; of a ray: turned towards where it came from
     uint triangle = 0;
     float u = 0.0f, v = 0.0f;  // barycentric weights of the second and third corner
-    float distance = 0.0f;     // m along the ray
+    float distance = 0.0f;     // m along the ray, or from the point
 };
 
 // Bounding volume hierarchies (Embree) over triangles, for rays, and over runs of neighbouring
@@ -28,6 +28,12 @@ public:
 
     // The first triangle that the ray meets, from either side. Degenerate triangles are never met.
     std::optional<SkinHit> cast(vec3 origin, vec3 direction) const;
+
+    // The point of the skin that is nearest to `point`, with the normal on the side of the hair; of
+    // equally near ones that of the first triangle. Only faces whose normal has a part along
+    // `facing` count unless that is zero, so that a point near one side of an ear finds that side.
+    // Degenerate triangles are never found. Nothing for a point that is not finite.
+    std::optional<SkinHit> nearest(vec3 point, vec3 facing = vec3(0.0f)) const;
 
     // Appends every vertex within `radius` of the point, in rising order. Cost grows with what is
     // found, not with the mesh.
