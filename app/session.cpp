@@ -75,6 +75,7 @@ void meetSkin(Session& session, const Skin& skin, float aspect) {
     setRadius(session, skin, kFirstRadius * skin.size());
     session.hand.job = Job::paint;
     session.hand.strokeEnd.reset();
+    session.region.center = skin.center();
     const auto ramp = [&](Tool tool) -> Ramp& {
         return session.hand.ramps[static_cast<std::size_t>(tool)];
     };

@@ -10,7 +10,7 @@ namespace {
 
 void rampRow(App& app, Tool tool, const char* label, vec3& value, vec3 fallback) {
     const Ui ui = uiOf(app);
-    const float size = app.isOpen() ? app.skin().size() : 1.0f;
+    const float size = app.skin().size();
     if (tool == Tool::tint) {
         const Parameter row{label, label, "", "The color at this end.", ParameterKind::color,
                             0.0f,  1.0f,  0};
@@ -70,11 +70,12 @@ void drawGradient(App& app) {
     actionButtons(app, kGradient, 1);
     ImGui::PopStyleColor();
     const auto tool = fieldOf(app.session.tool);
-    if (!on || !tool) return;
+    if (!on || !tool || !app.isOpen()) return;
     Hand& hand = app.session.hand;
     Ramp& ramp = hand.ramps[static_cast<std::size_t>(*tool)];
-    rampRow(app, *tool, "From", ramp.start, ramp.end);
-    rampRow(app, *tool, "To", ramp.end, ramp.start);
+    const float most = toolInfo(*tool).ofLength ? firstLength(app.skin()) : 1.0f;
+    rampRow(app, *tool, "From", ramp.start, vec3(most));
+    rampRow(app, *tool, "To", ramp.end, vec3(0.0f));
     toggleRow(uiOf(app), "Only between", &hand.between,
               "Leaves hair alone that lies beyond the ends; otherwise it takes the value of the "
               "nearer end.");

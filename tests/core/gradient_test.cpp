@@ -3,15 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include "bad_lines.h"
 #include "canvas.h"
-#include "core/script.h"
-#include "reading.h"
 
 namespace pelage {
 namespace {
 
 using test::Canvas;
-using test::refusal;
 
 // Across the sheet from its left border to its right one, in x from -0.25 to 0.25.
 Gradient across(Tool tool, float start, float end, bool between = false) {
@@ -119,9 +117,7 @@ TEST(Gradient, LineReplaysBitForBitAsOneStep) {
 }
 
 TEST(Gradient, RefusesInOneLineAndChangesNothing) {
-    constexpr struct {
-        const char *line, *says;
-    } kBad[] = {
+    constexpr test::BadLine kBad[] = {
         {"gradient comb from 0 0 0 1 to 0 1 0 1", "comb has no gradient"},
         {"gradient length to 0 1 0 1", "expects from"},
         {"gradient length from 0 0 0 1", "expects to"},
@@ -132,15 +128,7 @@ TEST(Gradient, RefusesInOneLineAndChangesNothing) {
         {"gradient mask from 1 0 0 1 to 1 0 0 0", "the same point"},
         {"gradient mask from nan 0 0 1 to 1 0 0 0", "the end of a gradient"},
     };
-    Workspace workspace;
-    workspace.open(test::evenDocument(test::ball(1)));
-    const Document before = workspace.editor->document();
-    for (const auto& [line, says] : kBad) {
-        const std::string error = refusal([&] { runLine(workspace, line); });
-        EXPECT_NE(error.find(says), std::string::npos) << line << ": " << error;
-        EXPECT_EQ(error.find('\n'), std::string::npos);
-    }
-    EXPECT_EQ(workspace.editor->document(), before);
+    test::expectRefused(kBad);
 }
 
 }  // namespace

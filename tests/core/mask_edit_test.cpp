@@ -3,15 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include "bad_lines.h"
 #include "canvas.h"
-#include "core/script.h"
-#include "reading.h"
 
 namespace pelage {
 namespace {
 
 using test::Canvas;
-using test::refusal;
 
 // The sheet with the mask painted where x < 0, half of it where x is 0.
 Canvas halfMasked() {
@@ -137,9 +135,7 @@ TEST(MaskEdit, EachLineIsOneStepThatUndoesAndReplays) {
 }
 
 TEST(MaskEdit, RefusesInOneLineAndChangesNothing) {
-    constexpr struct {
-        const char *line, *says;
-    } kBad[] = {
+    constexpr test::BadLine kBad[] = {
         {"mask", "it has invert"},
         {"mask length", "it has invert"},
         {"mask grow 0", "from 1 to 1000"},
@@ -149,14 +145,7 @@ TEST(MaskEdit, RefusesInOneLineAndChangesNothing) {
         {"mask from grow", "there are all"},
         {"mask from all : length scale 2", "does not expect"},
     };
-    Workspace workspace;
-    workspace.open(test::evenDocument(test::ball(1)));
-    const Document before = workspace.editor->document();
-    for (const auto& [line, says] : kBad) {
-        const std::string error = refusal([&] { runLine(workspace, line); });
-        EXPECT_NE(error.find(says), std::string::npos) << line << ": " << error;
-    }
-    EXPECT_EQ(workspace.editor->document(), before);
+    test::expectRefused(kBad);
 }
 
 }  // namespace
