@@ -36,9 +36,24 @@ float aroundVertex(const Skin& skin, const std::vector<float>& mask, uint v, Mas
     return std::clamp(mean, 0.0f, 1.0f);
 }
 
+// m; in a double, where any length times any scale is finite.
+double worldLength(const Skin& skin, const Groom& groom, uint v) {
+    return static_cast<double>(groom.fur[v].furLength) *
+           static_cast<double>(skin.frames[skin.vertices[v].frame].scale);
+}
+
+// > 0 also where there is no hair.
+double longestOf(const Skin& skin, const Groom& groom) {
+    double longest = 1e-30;
+    for (uint v = 0; v < skin.vertices.size(); ++v)
+        longest = std::max(longest, worldLength(skin, groom, v));
+    return longest;
+}
+
 std::vector<float> maskAfter(const SkinQuery& query, const Groom& groom, const MaskEdit& change) {
     const Skin& skin = query.skin();
     if (change.act == MaskAct::region) return regionWeights(query, groom, change.region);
+    const double longest = change.act == MaskAct::length ? longestOf(skin, groom) : 0.0;
     std::vector<float> mask(skin.vertices.size());
     for (uint v = 0; v < mask.size(); ++v) {
         const FurVertex& fur = groom.fur[v];
@@ -53,7 +68,7 @@ std::vector<float> maskAfter(const SkinQuery& query, const Groom& groom, const M
                 mask[v] = 1.0f;
                 break;
             case MaskAct::length:
-                mask[v] = fur.furLength * skin.frames[skin.vertices[v].frame].scale;
+                mask[v] = static_cast<float>(worldLength(skin, groom, v) / longest);
                 break;
             case MaskAct::density:
                 mask[v] = fur.density;
@@ -61,10 +76,6 @@ std::vector<float> maskAfter(const SkinQuery& query, const Groom& groom, const M
             default:
                 mask[v] = groom.mask[v];
         }
-    }
-    if (change.act == MaskAct::length) {
-        const float longest = mask.empty() ? 0.0f : *std::max_element(mask.begin(), mask.end());
-        for (float& value : mask) value = longest > 0.0f ? value / longest : 0.0f;
     }
     for (int ring = 0; byRings(change.act) && ring < change.rings; ++ring) {
         const std::vector<float> before = mask;

@@ -75,7 +75,7 @@ bool beginSheet(App& app, const char* title, bool* open, ImVec2 size) {
 
 void drawHelp(App& app) {
     if (!app.dialogs.help) return;
-    if (beginSheet(app, "Keys and mouse", &app.dialogs.help, {1060, 590}) &&
+    if (beginSheet(app, "Keys and mouse", &app.dialogs.help, {1060, 640}) &&
         ImGui::BeginTable("columns", 3, ImGuiTableFlags_SizingStretchSame)) {
         ImGui::TableNextColumn();
         caption(uiOf(app), "MOUSE");
@@ -87,9 +87,9 @@ void drawHelp(App& app) {
             ImGui::Dummy({0, app.theme.px(2)});
         }
         ImGui::TableNextColumn();
-        for (const char* menu : {"Brush", "Mask", "Edit"}) drawActionKeys(app, menu);
+        for (const char* menu : {"Brush", "Edit"}) drawActionKeys(app, menu);
         ImGui::TableNextColumn();
-        for (const char* menu : {"View", "File", "Help"}) drawActionKeys(app, menu);
+        for (const char* menu : {"View", "Mask", "File", "Help"}) drawActionKeys(app, menu);
         ImGui::EndTable();
     }
     ImGui::End();

@@ -81,6 +81,8 @@ TEST(MaskEdit, FromLengthAndDensity) {
         EXPECT_FLOAT_EQ(length.mask[v], canvas.groom.fur[v].furLength / longest);
         EXPECT_EQ(density.mask[v], canvas.groom.fur[v].density);
     }
+    for (uint v = 0; v < canvas.skin->vertices.size(); ++v) canvas.groom.fur.edit(v) = kBareFur;
+    EXPECT_EQ(after(canvas, MaskAct::length), canvas.groom) << "no hair, no mask";
 }
 
 TEST(MaskEdit, FromARegionIsItsWeights) {
