@@ -162,9 +162,7 @@ void runReset(Workspace& workspace, Words& words) {
     editor.commit(std::string("Reset ") + tool.name);
 }
 
-void runSegmentLine(Workspace& workspace, Words& words) {
-    runSegment(editorOf(workspace), words);
-}
+void runSegmentLine(Workspace& workspace, Words& words) { runSegment(editorOf(workspace), words); }
 
 void runComb(Workspace& workspace, Words& words) { runHeadToTail(editorOf(workspace), words); }
 
