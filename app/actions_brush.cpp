@@ -23,6 +23,15 @@ bool isTool(const App& app) {
     return app.session.tool == tool;
 }
 
+template <int axis>
+void toggleMirror(App& app) {
+    setMirror(app.session, axis, !app.session.brush().mirror[axis]);
+}
+template <int axis>
+bool mirrors(const App& app) {
+    return app.session.brush().mirror[axis];
+}
+
 void scaleStrength(App& app, float factor) {
     setStrength(app.session, app.session.brush().strength * factor);
 }
@@ -142,11 +151,38 @@ constexpr Action kActions[] = {
      icon::kMirror,
      "Paint both sides of the animal at once.",
      {{{GLFW_KEY_X}}},
-     [](App& app) { setMirror(app.session, !app.session.brush().mirrorX); },
+     toggleMirror<0>,
      nullptr,
-     [](const App& app) { return app.session.brush().mirrorX; },
+     mirrors<0>,
      false,
      true},
+    {"brush.mirrorY",
+     "Brush",
+     "Mirror Y",
+     "",
+     "Paint above and below the middle of the mesh at once.",
+     {{{GLFW_KEY_X, kShift}}},
+     toggleMirror<1>,
+     nullptr,
+     mirrors<1>},
+    {"brush.mirrorZ",
+     "Brush",
+     "Mirror Z",
+     "",
+     "Paint before and behind the middle of the mesh at once.",
+     {{{GLFW_KEY_X, GLFW_MOD_ALT}}},
+     toggleMirror<2>,
+     nullptr,
+     mirrors<2>},
+    {"brush.surface",
+     "Brush",
+     "Along the surface",
+     "",
+     "Measure the brush along the skin: an ear is not painted with the head behind it.",
+     {{{GLFW_KEY_B, kShift}}},
+     [](App& app) { setAlongSurface(app.session, !app.session.brush().alongSurface); },
+     nullptr,
+     [](const App& app) { return app.session.brush().alongSurface; }},
     {"brush.facing",
      "Brush",
      "Front faces only",

@@ -91,10 +91,14 @@ void addCursor(App& app, std::vector<OverlayLine>& lines) {
     if (brush.falloff != Falloff::constant)
         addRing(query, {hit.position, hit.normal, half, inner}, lines);
     lines.push_back({hit.position, hit.position + 0.35f * brush.radius * hit.normal, inner});
-    if (!brush.mirrorX) return;
-    const vec3 mirror{-1.0f, 1.0f, 1.0f};
     const vec4 faint{outer.x, outer.y, outer.z, 0.7f};
-    addRing(query, {mirror * hit.position, mirror * hit.normal, brush.radius, faint}, lines);
+    PathPoint own{.position = hit.position, .normal = hit.normal};
+    own.foot = hit;
+    const std::vector<Mirroring> mirrorings = pelage::mirrorings(query.skin(), brush.mirror);
+    for (std::size_t i = 1; i < mirrorings.size(); ++i) {
+        const PathPoint image = imageOf(query, own, mirrorings[i].matrix, brush.facingOnly);
+        addRing(query, {image.position, image.normal, brush.radius, faint}, lines);
+    }
 }
 
 // An arrow for a fair sample of the vertices: they are in spatial order, so every n-th will do.

@@ -53,8 +53,12 @@ void setStrength(Session& session, float strength) {
     session.brush().strength = std::clamp(strength, 0.01f, 1.0f);
 }
 
-void setMirror(Session& session, bool on) {
-    for (Brush& brush : session.brushes) brush.mirrorX = on;
+void setMirror(Session& session, int axis, bool on) {
+    for (Brush& brush : session.brushes) brush.mirror[axis] = on;
+}
+
+void setAlongSurface(Session& session, bool on) {
+    for (Brush& brush : session.brushes) brush.alongSurface = on;
 }
 
 void setFacingOnly(Session& session, bool on) {

@@ -46,7 +46,7 @@ struct Session {
     Camera camera;
     Tool tool = Tool::comb;
     std::array<Brush, kToolCount>
-        brushes;  // by Tool; radius, mirrorX and facingOnly are the same in all
+        brushes;  // by Tool; radius, mirror, alongSurface and facingOnly are the same in all
     Hand hand;
     vec3 floodDirection{0.0f, 0.0f, -1.0f};  // world; of combing everything at once
     SegmentChoice segment;
@@ -72,7 +72,8 @@ inline constexpr float kFirstRadius = 0.05f, kSmallestRadius = 0.002f, kLargestR
 float clampedRadius(const Skin& skin, float radius);               // to the limits
 void setRadius(Session& session, const Skin& skin, float radius);  // clamped to the limits
 void setStrength(Session& session, float strength);
-void setMirror(Session& session, bool on);
+void setMirror(Session& session, int axis, bool on);
+void setAlongSurface(Session& session, bool on);
 void setFacingOnly(Session& session, bool on);
 
 // The brush that a press with these held keys starts: Shift smooths, Ctrl turns add and subtract.

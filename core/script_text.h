@@ -10,8 +10,8 @@ namespace pelage {
 
 // "length set 0.03 strength 0.5": what strokes and floods have in common.
 std::string toolText(const Brush& brush);
-// "comb add strength 0.5 radius 0.05 falloff sharp mirror through": the brush of a stroke, without
-// what is at its default and can be left out.
+// "comb add strength 0.5 radius 0.05 falloff sharp mirror xz straight through": the brush of a
+// stroke, without what is at its default and can be left out.
 std::string brushText(const Brush& brush);
 
 // The words of a line, one after the other.

@@ -2,11 +2,14 @@
 #include "skin_query.h"
 
 #include <embree3/rtcore.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -64,6 +67,17 @@ void boundsOfRun(const RTCBoundsFunctionArguments* arguments) {
     bounds.upper_x = box.upper.x;
     bounds.upper_y = box.upper.y;
     bounds.upper_z = box.upper.z;
+}
+
+// Puts each triangle of a fan after its neighbour where there is one.
+void chain(std::span<uvec2> fan) {
+    constexpr std::size_t kMost = 64;  // of a fan that is worth it
+    if (fan.size() > kMost) return;
+    for (std::size_t i = 1; i < fan.size(); ++i) {
+        const auto next = std::find_if(fan.begin() + static_cast<std::ptrdiff_t>(i), fan.end(),
+                                       [&](uvec2 pair) { return pair.x == fan[i - 1].y; });
+        if (next != fan.end()) std::swap(*next, fan[i]);
+    }
 }
 
 struct RunSearch {
@@ -143,8 +157,7 @@ bool noteNearest(RTCPointQueryFunctionArguments* arguments) {
     const uint triangle = arguments->primID;
     if (!(skin.areas[triangle] > 0.0f)) return false;
     const uvec3 corners = skin.triangles[triangle];
-    if (search.facing != vec3(0.0f) &&
-        !(glm::dot(hairNormal(skin, corners), search.facing) > 0.0f))
+    if (search.facing != vec3(0.0f) && !(glm::dot(hairNormal(skin, corners), search.facing) > 0.0f))
         return false;
     const glm::dvec3 a = glm::dvec3(skin.vertices[corners.x].position) - search.point;
     const glm::dvec3 b = glm::dvec3(skin.vertices[corners.y].position) - search.point;
@@ -165,8 +178,10 @@ bool noteNearest(RTCPointQueryFunctionArguments* arguments) {
 
 struct SkinQuery::Scenes {
     std::shared_ptr<const Skin> skin;
-    std::vector<uint> used;  // vertices that triangles name, rising; cut into runs of kRun
-    std::vector<Box> boxes;  // m, one per run
+    std::vector<uint> used;      // vertices that triangles name, rising; cut into runs of kRun
+    std::vector<Box> boxes;      // m, one per run
+    std::vector<uint> fanFirst;  // fan of vertex v: fans[fanFirst[v]] up to fans[fanFirst[v + 1]]
+    std::vector<uvec2> fans;
     RTCDevice device = nullptr;
     RTCScene rays = nullptr, points = nullptr;
 
@@ -181,6 +196,7 @@ struct SkinQuery::Scenes {
 
     void buildRays();
     void buildPoints();
+    void buildFans();
 };
 
 void SkinQuery::Scenes::buildRays() {
@@ -235,17 +251,39 @@ void SkinQuery::Scenes::buildPoints() {
     check(device, "vertex hierarchy");
 }
 
+// A triangle that names a vertex twice is no way to anywhere but along its one edge.
+void SkinQuery::Scenes::buildFans() {
+    fanFirst.assign(skin->vertices.size() + 2, 0);
+    for (const uvec3 t : skin->triangles)
+        for (int c = 0; c < 3; ++c) ++fanFirst[t[c] + 2];
+    std::partial_sum(fanFirst.begin(), fanFirst.end(), fanFirst.begin());
+    fans.resize(3 * skin->triangles.size());
+    for (const uvec3 t : skin->triangles)
+        for (int c = 0; c < 3; ++c) fans[fanFirst[t[c] + 1]++] = {t[(c + 1) % 3], t[(c + 2) % 3]};
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, skin->vertices.size(), 4096),
+                      [&](const auto& range) {
+                          for (std::size_t v = range.begin(); v < range.end(); ++v)
+                              chain({fans.data() + fanFirst[v], fans.data() + fanFirst[v + 1]});
+                      });
+}
+
 SkinQuery::SkinQuery(std::shared_ptr<const Skin> skin)
     : scenes_(std::make_unique<Scenes>(std::move(skin))) {
     scenes_->device = rtcNewDevice(nullptr);
     if (!scenes_->device) throw std::runtime_error("cannot start Embree: no device");
     scenes_->buildRays();
     scenes_->buildPoints();
+    scenes_->buildFans();
 }
 
 SkinQuery::~SkinQuery() = default;
 SkinQuery::SkinQuery(SkinQuery&&) noexcept = default;
 SkinQuery& SkinQuery::operator=(SkinQuery&&) noexcept = default;
+
+std::span<const uvec2> SkinQuery::fan(uint v) const {
+    const uvec2* fans = scenes_->fans.data();
+    return {fans + scenes_->fanFirst[v], fans + scenes_->fanFirst[v + 1]};
+}
 
 const Skin& SkinQuery::skin() const { return *scenes_->skin; }
 

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "skin.h"
@@ -18,7 +19,8 @@ struct SkinHit {
 };
 
 // Bounding volume hierarchies (Embree) over triangles, for rays, and over runs of neighbouring
-// vertices, for radius queries. Holds the skin. May be used from several threads at once.
+// vertices, for radius queries; and the triangles around each vertex. Holds the skin. May be used
+// from several threads at once.
 class SkinQuery {
 public:
     explicit SkinQuery(std::shared_ptr<const Skin> skin);
@@ -38,6 +40,10 @@ public:
     // Appends every vertex within `radius` of the point, in rising order. Cost grows with what is
     // found, not with the mesh.
     void within(vec3 point, float radius, std::vector<uint>& vertices) const;
+
+    // The triangles that name vertex v, each by its two other corners in the order of its winding;
+    // where it can be, the first corner of one is the second of the one before.
+    std::span<const uvec2> fan(uint v) const;
 
     const Skin& skin() const;
 

@@ -1,4 +1,5 @@
 // brush_panel.cpp -- the left column: the tools and the brush.
+#include <algorithm>
 #include <cstdio>
 #include <span>
 #include <string>
@@ -37,8 +38,8 @@ void toolButton(App& app, const ToolInfo& info, float width) {
 void drawModes(App& app, Brush& brush) {
     const ToolInfo& info = toolInfo(brush.tool);
     if (!info.add) return;
-    const char* labels[] = {info.add, info.subtract, "Set"};
-    const std::span shown(labels, info.hasSet ? 3u : 2u);
+    const char* labels[] = {info.add, info.subtract, "Set", "Scale"};  // in the order of Mode
+    const std::span shown(labels, info.hasScale ? 4u : info.hasSet ? 3u : 2u);
     if (const auto mode = choiceRow(uiOf(app), "mode", shown, static_cast<int>(brush.mode)))
         brush.mode = static_cast<Mode>(*mode);
 }
@@ -96,6 +97,16 @@ void drawNumbers(App& app, Brush& brush) {
         if (const auto picked = parameterRow(ui, kColor, brush.color, vec3(1.0f), size))
             brush.color = glm::clamp(*picked, vec3(0.0f), vec3(1.0f));
     }
+    if (brush.mode == Mode::scale && info.hasScale) {
+        if (const auto factor = numberRow(ui, "Factor", brush.factor,
+                                          {.least = 0.0f,
+                                           .greatest = 2.0f,
+                                           .fallback = 0.5f,
+                                           .format = "x %.2f",
+                                           .help = "What Scale multiplies by."}))
+            brush.factor = std::clamp(*factor, 0.0f, kGreatestFactor);
+        return;
+    }
     if (!info.hasSet) return;
     const bool length = info.ofLength;
     const float scale = length ? unit.perMetre : 1.0f;
@@ -130,6 +141,19 @@ void drawFlood(App& app, const Brush& brush) {
     drawGradient(app);
 }
 
+void drawMirror(App& app) {
+    const Ui ui = uiOf(app);
+    rowLabel(ui, "Mirror");
+    constexpr const char* kNames[] = {"brush.mirror", "brush.mirrorY", "brush.mirrorZ"};
+    constexpr const char* kAxes[] = {"X", "Y", "Z"};
+    for (int axis = 0; axis < 3; ++axis) {
+        const Action& action = actionNamed(kNames[axis]);
+        if (axis > 0) ImGui::SameLine();
+        if (iconButton(ui, "", kAxes[axis], action.checked(app), true)) perform(app, action);
+        tip(ui, action.help);
+    }
+}
+
 }  // namespace
 
 void drawBrushPanel(App& app, const Layout& layout) {
@@ -157,7 +181,8 @@ void drawBrushPanel(App& app, const Layout& layout) {
     if (brush.tool == Tool::mask) drawMaskButtons(app);
 
     caption(ui, "WHERE");
-    for (const char* name : {"brush.mirror", "brush.facing"}) {
+    drawMirror(app);
+    for (const char* name : {"brush.surface", "brush.facing"}) {
         const Action& action = actionNamed(name);
         bool on = action.checked(app);
         if (toggleRow(ui, action.label, &on, action.help)) perform(app, action);

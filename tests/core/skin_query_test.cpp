@@ -182,8 +182,8 @@ TEST(SkinQuery, NearestThatFacesAWayFindsThatSideOfAThinSheet) {
 }
 
 TEST(SkinQuery, OfEquallyNearTrianglesTheFirstIsNearest) {
-    const auto skin = makeSkin(test::oneMesh({{-1, 0, -1}, {0, 0, 1}, {1, 0, -1}},
-                                             {{0, 1, 2}, {0, 2, 1}, {0, 1, 2}}));
+    const auto skin = makeSkin(
+        test::oneMesh({{-1, 0, -1}, {0, 0, 1}, {1, 0, -1}}, {{0, 1, 2}, {0, 2, 1}, {0, 1, 2}}));
     const SkinQuery query(skin);
     for (const float height : {-1.0f, 0.0f, 2.0f})
         EXPECT_EQ(query.nearest({0.1f, height, 0.0f})->triangle, 0u);
