@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 
 #include <cassert>
+#include <vector>
 
 namespace pelage {
 namespace {
@@ -26,6 +27,17 @@ std::string keyText(int key) {
 }
 
 }  // namespace
+
+std::span<const Action> actions() {
+    static const std::vector<Action> all = [] {
+        std::vector<Action> rows;
+        for (const auto part :
+             {fileActions(), editActions(), brushActions(), maskActions(), viewActions()})
+            rows.insert(rows.end(), part.begin(), part.end());
+        return rows;
+    }();
+    return all;
+}
 
 const Action& actionNamed(std::string_view name) {
     for (const Action& action : actions())

@@ -29,6 +29,13 @@ struct Action {
 };
 
 std::span<const Action> actions();
+// Its parts, each in a file of its own; in a menu they stand in this order.
+std::span<const Action> fileActions();
+std::span<const Action> editActions();
+std::span<const Action> brushActions();
+std::span<const Action> maskActions();
+std::span<const Action> viewActions();
+
 const Action& actionNamed(std::string_view name);  // asserted to be there
 
 bool isEnabled(const App& app, const Action& action);

@@ -18,7 +18,9 @@
 #include "app/widgets.h"
 #include "app/work.h"
 #include "core/gltf_out.h"
+#include "core/gradient.h"
 #include "core/journal.h"
+#include "core/mask_edit.h"
 #include "core/script.h"
 
 namespace pelage {
@@ -101,7 +103,9 @@ void resetSkin(App& app);                                         // what the br
 void editRegion(App& app);                                        // as the session says
 void combAlong(App& app, uint segment, vec3 axis, float weight);  // world
 void combBody(App& app, float weight);                            // from head to tail
-void beginStroke(App& app, const Brush& brush, const SkinHit& hit);
+void fillGradient(App& app, const Gradient& gradient);
+void editMask(App& app, const MaskEdit& change);
+void beginStroke(App& app, const Brush& brush, const SkinHit& hit, float pressure);
 void endStroke(App& app);
 void cancelStroke(App& app);
 // Starts the journal anew for what is on screen: the file, or the animal if empty, is all of it.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/app.h"
+#include "app/region_lines.h"
 #include "app/viewport.h"
 #include "core/segment_comb.h"
 
@@ -22,6 +23,9 @@ vec4 ringColor(const Brush& brush) {
             return {1.0f, 0.72f, 0.40f, 1.0f};
         case Tool::smooth:
             return {0.72f, 0.66f, 1.0f, 1.0f};
+        case Tool::tint:  // the color itself, or that of the coat
+            return vec4(brush.mode == Mode::subtract ? vec3(1.0f) : displayedColor(brush.color),
+                        1.0f);
         default:
             break;
     }
@@ -68,10 +72,10 @@ void addRing(const SkinQuery& query, const Ring& ring, std::vector<OverlayLine>&
 
 void addCursor(App& app, std::vector<OverlayLine>& lines) {
     const Viewport& viewport = app.viewport;
-    if (!viewport.hit) return;
-    const Brush brush = app.workspace.stroke
-                            ? app.workspace.stroke->brush()
-                            : heldBrush(app.session, viewport.shift, viewport.control);
+    if (!viewport.hit || app.session.hand.job != Job::paint) return;
+    const Brush brush = app.workspace.stroke ? app.workspace.stroke->brush()
+                                             : brushInHand(app, viewport.hit->position,
+                                                           viewport.shift, viewport.control);
     const SkinQuery& query = *app.workspace.query;
     const vec4 outer = ringColor(brush);
     const vec4 inner{outer.x, outer.y, outer.z, 0.4f + 0.5f * brush.strength};
@@ -79,17 +83,22 @@ void addCursor(App& app, std::vector<OverlayLine>& lines) {
     const SkinHit& hit = *viewport.hit;
     // Two units wide, with a dark edge so that it is seen on light fur.
     const float unit = app.theme.scale * worldPerUnit(app.session.camera, viewport, hit.distance);
-    const vec4 edge{0.0f, 0.0f, 0.0f, 0.4f};
+    const bool dark = brush.tool == Tool::tint && outer.x + outer.y + outer.z < 1.2f;
+    const vec4 edge(vec3(dark ? 1.0f : 0.0f), 0.4f);
     addRing(query, {hit.position, hit.normal, brush.radius + 1.6f * unit, edge}, lines);
     addRing(query, {hit.position, hit.normal, brush.radius + 0.5f * unit, outer}, lines);
     addRing(query, {hit.position, hit.normal, brush.radius - 0.5f * unit, outer}, lines);
     if (brush.falloff != Falloff::constant)
         addRing(query, {hit.position, hit.normal, half, inner}, lines);
     lines.push_back({hit.position, hit.position + 0.35f * brush.radius * hit.normal, inner});
-    if (!brush.mirrorX) return;
-    const vec3 mirror{-1.0f, 1.0f, 1.0f};
     const vec4 faint{outer.x, outer.y, outer.z, 0.7f};
-    addRing(query, {mirror * hit.position, mirror * hit.normal, brush.radius, faint}, lines);
+    PathPoint own{.position = hit.position, .normal = hit.normal};
+    own.foot = hit;
+    const std::vector<Mirroring> mirrorings = pelage::mirrorings(query.skin(), brush.mirror);
+    for (std::size_t i = 1; i < mirrorings.size(); ++i) {
+        const PathPoint image = imageOf(query, own, mirrorings[i].matrix, brush.facingOnly);
+        addRing(query, {image.position, image.normal, brush.radius, faint}, lines);
+    }
 }
 
 // An arrow for a fair sample of the vertices: they are in spatial order, so every n-th will do.
@@ -166,6 +175,7 @@ void updateLines(App& app) {
     if (!app.isOpen()) return;
     if (app.session.view.overlay == Overlay::direction) addArrows(app, lines);
     if (std::exchange(app.session.segment.shown, false)) addAxes(app, lines);
+    if (app.session.regionShown) addRegionOutline(app, lines);
     addCursor(app, lines);
 }
 

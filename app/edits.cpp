@@ -194,9 +194,13 @@ void combAlong(App& app, uint segment, vec3 axis, float weight) {
 
 void combBody(App& app, float weight) { runStep(app, headToTailLine(weight)); }
 
-void beginStroke(App& app, const Brush& brush, const SkinHit& hit) {
+void fillGradient(App& app, const Gradient& gradient) { runStep(app, gradientLine(gradient)); }
+
+void editMask(App& app, const MaskEdit& change) { runStep(app, maskLine(change)); }
+
+void beginStroke(App& app, const Brush& brush, const SkinHit& hit, float pressure) {
     commitPending(app);
-    app.workspace.press(brush, hit.position, hit.normal);
+    app.workspace.press(brush, hit.position, hit.normal, pressure);
 }
 
 void endStroke(App& app) {

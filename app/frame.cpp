@@ -113,11 +113,14 @@ void drawHint(App& app) {
     const Drag drag = app.viewport.drag;
     if (drag != Drag::radius && drag != Drag::strength) return;
     const Brush& brush = app.session.brush();
+    const Hand& hand = app.session.hand;
     char text[64];
-    if (drag == Drag::radius)
-        std::snprintf(text, sizeof text, "Radius %s", lengthText(brush.radius).c_str());
-    else
+    if (drag == Drag::strength)
         std::snprintf(text, sizeof text, "Strength %.2f", static_cast<double>(brush.strength));
+    else if (hand.screenRadius)
+        std::snprintf(text, sizeof text, "Radius %.0f px", static_cast<double>(hand.radius));
+    else
+        std::snprintf(text, sizeof text, "Radius %s", lengthText(brush.radius).c_str());
     const ImVec2 size = ImGui::CalcTextSize(text);
     const float pad = app.theme.px(8);
     const ImVec2 at{app.viewport.dragStart.x + 2 * pad, app.viewport.dragStart.y + 2 * pad};
@@ -183,10 +186,12 @@ void drawFrame(App& app, Renderer& renderer, FrameKeys& keys, double now, bool e
     useKeys(app, keys);
     if (app.isOpen() && !ImGui::IsAnyItemActive()) commitPending(app);
     updateLines(app);
-    if (app.isOpen())
+    if (app.isOpen()) {
         drawPicture(app, renderer, keys, now, events);
-    else if (!asking(app))
+        drawHand(app);
+    } else if (!asking(app)) {
         drawWelcome(app);
+    }
     drawStatus(app, layout);
     drawHint(app);
     drawHelp(app);

@@ -41,18 +41,24 @@ void turnTo(Session& session, float yaw, float pitch) {
     session.camera.pitch = pitch;
 }
 
+float clampedRadius(const Skin& skin, float radius) {
+    return std::clamp(radius, kSmallestRadius * skin.size(), kLargestRadius * skin.size());
+}
+
 void setRadius(Session& session, const Skin& skin, float radius) {
-    const float size = skin.size();
-    for (Brush& brush : session.brushes)
-        brush.radius = std::clamp(radius, kSmallestRadius * size, kLargestRadius * size);
+    for (Brush& brush : session.brushes) brush.radius = clampedRadius(skin, radius);
 }
 
 void setStrength(Session& session, float strength) {
     session.brush().strength = std::clamp(strength, 0.01f, 1.0f);
 }
 
-void setMirror(Session& session, bool on) {
-    for (Brush& brush : session.brushes) brush.mirrorX = on;
+void setMirror(Session& session, int axis, bool on) {
+    for (Brush& brush : session.brushes) brush.mirror[axis] = on;
+}
+
+void setAlongSurface(Session& session, bool on) {
+    for (Brush& brush : session.brushes) brush.alongSurface = on;
 }
 
 void setFacingOnly(Session& session, bool on) {
@@ -71,6 +77,14 @@ void meetSkin(Session& session, const Skin& skin, float aspect) {
         if (info.tool == Tool::mask) brush.value = 1.0f;
     }
     setRadius(session, skin, kFirstRadius * skin.size());
+    session.hand.job = Job::paint;
+    session.hand.strokeEnd.reset();
+    session.region.center = skin.center();
+    const auto ramp = [&](Tool tool) -> Ramp& {
+        return session.hand.ramps[static_cast<std::size_t>(tool)];
+    };
+    ramp(Tool::length) = {vec3(firstLength(skin)), vec3(0.25f * firstLength(skin))};
+    ramp(Tool::tint) = {kFirstTint, vec3(1.0f)};
     session.segment = {};
     session.segment.vertices.resize(skin.segments().size());
     for (const SkinVertex& vertex : skin.vertices)

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/hand.h"
 #include "app/render/renderer.h"
 #include "core/brush.h"
 #include "core/region.h"
@@ -45,13 +46,15 @@ struct Session {
     Camera camera;
     Tool tool = Tool::comb;
     std::array<Brush, kToolCount>
-        brushes;  // by Tool; radius, mirrorX and facingOnly are the same in all
+        brushes;  // by Tool; radius, mirror, alongSurface and facingOnly are the same in all
+    Hand hand;
     vec3 floodDirection{0.0f, 0.0f, -1.0f};  // world; of combing everything at once
     SegmentChoice segment;
     ViewOptions view;
     // Of the region panel; its lengths are in sizes of the skin.
     Region region{.where = Where::narrow, .curvature = 10.0f, .falloff = 0.02f, .sizes = true};
     RegionEdit regionEdit{.value = 0.5f};
+    bool regionShown = false;  // in this frame: its outline is drawn
 
     Brush& brush() { return brushes[static_cast<std::size_t>(tool)]; }
     const Brush& brush() const { return brushes[static_cast<std::size_t>(tool)]; }
@@ -66,9 +69,11 @@ void meetSkin(Session& session, const Skin& skin, float aspect);
 // Radii of brushes, in sizes of the skin: of an animal that was just opened, and the limits.
 inline constexpr float kFirstRadius = 0.05f, kSmallestRadius = 0.002f, kLargestRadius = 0.5f;
 
+float clampedRadius(const Skin& skin, float radius);               // to the limits
 void setRadius(Session& session, const Skin& skin, float radius);  // clamped to the limits
 void setStrength(Session& session, float strength);
-void setMirror(Session& session, bool on);
+void setMirror(Session& session, int axis, bool on);
+void setAlongSurface(Session& session, bool on);
 void setFacingOnly(Session& session, bool on);
 
 // The brush that a press with these held keys starts: Shift smooths, Ctrl turns add and subtract.

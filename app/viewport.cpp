@@ -15,11 +15,6 @@ constexpr float kOrbitSpeed = 0.008f;  // rad per window unit
 constexpr float kZoomSpeed = 0.006f;   // of dragging, per window unit
 constexpr float kWheelStep = 1.15f;    // of the distance, per notch
 
-vec2 clipped(const Viewport& viewport, vec2 at) {  // [-1,1] across the picture, y up
-    const vec2 share = (at - viewport.corner) / viewport.size;
-    return {2.0f * share.x - 1.0f, 1.0f - 2.0f * share.y};
-}
-
 bool within(const Viewport& viewport, vec2 at) {
     const vec2 local = at - viewport.corner;
     return local.x >= 0.0f && local.y >= 0.0f && local.x < viewport.size.x &&
@@ -50,10 +45,10 @@ void zoom(App& app, float factor, vec2 at) {
     camera.distance = distance;
 }
 
-std::optional<SkinHit> hitAt(const App& app, vec2 at) {
-    if (!app.isOpen()) return std::nullopt;
-    const PointerRay ray = pointerRay(app.session.camera, app.viewport, at);
-    return app.workspace.query->cast(ray.origin, ray.direction);
+// The left button is down for something that a right click gives up.
+bool handBusy(Drag drag) {
+    return drag == Drag::stroke || drag == Drag::click || drag == Drag::gradient ||
+           drag == Drag::lasso;
 }
 
 void press(App& app, const PointerEvent& event) {
@@ -63,7 +58,7 @@ void press(App& app, const PointerEvent& event) {
         viewport.drag = Drag::none;  // the left button keeps the value
         return;
     }
-    if (viewport.drag == Drag::stroke) {
+    if (handBusy(viewport.drag)) {
         if (event.button == 1) cancelDrag(app);
         return;
     }
@@ -74,10 +69,10 @@ void press(App& app, const PointerEvent& event) {
         viewport.drag = left ? Drag::orbit : middle ? Drag::pan : right ? Drag::zoom : Drag::none;
     else if (middle)
         viewport.drag = event.shift ? Drag::pan : event.control ? Drag::zoom : Drag::orbit;
-    else if (const auto hit = left ? hitAt(app, event.at) : std::nullopt) {
-        viewport.drag = Drag::stroke;
-        beginStroke(app, heldBrush(app.session, event.shift, event.control), *hit);
-    }
+    else if (left)
+        pressHand(app, event);
+    else if (right)
+        app.session.hand.job = Job::paint;
 }
 
 void move(App& app, const PointerEvent& event, vec2 before) {
@@ -88,8 +83,10 @@ void move(App& app, const PointerEvent& event, vec2 before) {
         case Drag::none:
             break;
         case Drag::stroke:
-            if (const auto hit = hitAt(app, event.at))
-                app.workspace.drag(hit->position, hit->normal), app.touched = true;
+        case Drag::click:
+        case Drag::gradient:
+        case Drag::lasso:
+            moveHand(app, event);
             break;
         case Drag::orbit:
             orbit(camera, moved);
@@ -100,13 +97,10 @@ void move(App& app, const PointerEvent& event, vec2 before) {
         case Drag::zoom:
             zoom(app, std::exp(kZoomSpeed * (moved.y - moved.x)), viewport.dragStart);
             break;
-        case Drag::radius: {
-            const float depth = viewport.hit ? viewport.hit->distance : camera.distance;
-            const float step = worldPerUnit(camera, viewport, depth);
-            setRadius(app.session, app.skin(),
-                      viewport.dragValue + step * (event.at.x - viewport.dragStart.x));
+        case Drag::radius:
+            setRadiusInUnit(
+                app, radiusAfterMoving(app, viewport.dragValue, event.at.x - viewport.dragStart.x));
             break;
-        }
         case Drag::strength:
             setStrength(app.session,
                         viewport.dragValue + 0.005f * (event.at.x - viewport.dragStart.x));
@@ -116,16 +110,38 @@ void move(App& app, const PointerEvent& event, vec2 before) {
 
 void release(App& app, const PointerEvent& event) {
     Viewport& viewport = app.viewport;
-    if (viewport.drag == Drag::stroke && event.button == 0) {
-        viewport.drag = Drag::none;
-        endStroke(app);
-    }
+    if (handBusy(viewport.drag) && event.button == 0) releaseHand(app, event);
     const bool view =
         viewport.drag == Drag::orbit || viewport.drag == Drag::pan || viewport.drag == Drag::zoom;
     if (view) viewport.drag = Drag::none;
 }
 
 }  // namespace
+
+vec2 clipped(const Viewport& viewport, vec2 at) {
+    const vec2 share = (at - viewport.corner) / viewport.size;
+    return {2.0f * share.x - 1.0f, 1.0f - 2.0f * share.y};
+}
+
+mat4 viewProjection(const App& app) {
+    const Camera& camera = app.session.camera;
+    const vec2 size = app.viewport.size;
+    return camera.projection(size.x / size.y, app.skin().center(), modelRadius(app.skin())) *
+           camera.view();
+}
+
+std::optional<vec2> placeOf(const App& app, vec3 world) {
+    const vec4 clip = viewProjection(app) * vec4(world, 1.0f);
+    if (!(clip.w > 0.0f)) return std::nullopt;
+    const vec2 share(0.5f + 0.5f * clip.x / clip.w, 0.5f - 0.5f * clip.y / clip.w);
+    return app.viewport.corner + share * app.viewport.size;
+}
+
+std::optional<SkinHit> hitAt(const App& app, vec2 at) {
+    if (!app.isOpen()) return std::nullopt;
+    const PointerRay ray = pointerRay(app.session.camera, app.viewport, at);
+    return app.workspace.query->cast(ray.origin, ray.direction);
+}
 
 float worldPerUnit(const Camera& camera, const Viewport& viewport, float distance) {
     const float depth = camera.orthographic ? camera.distance : distance;
@@ -171,9 +187,9 @@ void usePointer(App& app, bool mine) {
     viewport.inside = mine && within(viewport, viewport.pointer);
     // While a value is set by moving, the ring stays where the hand began.
     if (viewport.drag == Drag::radius || viewport.drag == Drag::strength) return;
-    const bool brush =
-        viewport.drag == Drag::stroke || (viewport.inside && viewport.drag == Drag::none);
-    viewport.hit = brush ? hitAt(app, viewport.pointer) : std::nullopt;
+    const bool stroke = viewport.drag == Drag::stroke;
+    const bool brush = stroke || (viewport.inside && viewport.drag == Drag::none);
+    viewport.hit = brush ? hitAt(app, stroke ? viewport.brushAt : viewport.pointer) : std::nullopt;
 }
 
 void beginAdjust(App& app, Drag what) {
@@ -181,17 +197,17 @@ void beginAdjust(App& app, Drag what) {
     if (viewport.drag != Drag::none) return;
     viewport.drag = what;
     viewport.dragStart = viewport.pointer;
-    const Brush& brush = app.session.brush();
-    viewport.dragValue = what == Drag::radius ? brush.radius : brush.strength;
+    viewport.dragValue = what == Drag::radius ? radiusInUnit(app) : app.session.brush().strength;
 }
 
 bool cancelDrag(App& app) {
     Viewport& viewport = app.viewport;
     const Drag was = std::exchange(viewport.drag, Drag::none);
     if (was == Drag::stroke) cancelStroke(app);
-    if (was == Drag::radius) setRadius(app.session, app.skin(), viewport.dragValue);
+    if (was == Drag::radius) setRadiusInUnit(app, viewport.dragValue);
     if (was == Drag::strength) setStrength(app.session, viewport.dragValue);
-    return was != Drag::none;
+    if (was != Drag::none) return true;
+    return std::exchange(app.session.hand.job, Job::paint) != Job::paint;
 }
 
 }  // namespace pelage

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/pressure.h"
 #include "app/render/renderer.h"
 #include "core/skin_query.h"
 
@@ -18,10 +19,14 @@ struct PointerEvent {
     vec2 at{0.0f};   // window units
     int button = 0;  // 0 left, 1 right, 2 middle
     bool shift = false, control = false, alt = false;
-    float wheel = 0.0f;  // notches, positive away from the hand
+    float wheel = 0.0f;     // notches, positive away from the hand
+    float pressure = 1.0f;  // [0,1] of the pen; 1 without one
+    bool light = false;     // the key for a light touch is held
+    double seconds = 0.0;   // when
 };
 
-enum class Drag { none, stroke, orbit, pan, zoom, radius, strength };
+// `click`: Shift and the left button are down, and nothing has moved yet.
+enum class Drag { none, stroke, click, gradient, lasso, orbit, pan, zoom, radius, strength };
 
 struct Viewport {
     vec2 corner{0.0f}, size{1.0f};        // window units, top left
@@ -29,10 +34,15 @@ struct Viewport {
     std::vector<PointerEvent> events;     // since the last frame, in their order
     vec2 pointer{-1.0f};                  // window units
     bool shift = false, control = false;  // held now
+    bool light = false;                   // the same, the key for a light touch
     bool inside = false;                  // the pointer is over the picture and nothing else
     Drag drag = Drag::none;
     vec2 dragStart{0.0f};
-    float dragValue = 0.0f;          // radius or strength when the drag began
+    float dragValue = 0.0f;  // radius or strength when the drag began
+    std::vector<vec2> path;  // window units; of a lasso, or the ends of a gradient
+    vec2 brushAt{0.0f};      // window units; where the brush is, behind the pointer
+    vec3 strokeAt{0.0f};     // m, world; where the stroke is
+    HeldPressure lightTouch;
     std::optional<SkinHit> hit;      // under the pointer
     std::vector<OverlayLine> lines;  // cursor and arrows, for View::lines
 };
@@ -44,6 +54,15 @@ struct PointerRay {
 // The ray through a point of the window.
 PointerRay pointerRay(const Camera& camera, const Viewport& viewport, vec2 at);
 
+// Where a place of the window is in the picture: [-1,1] both ways, y up.
+vec2 clipped(const Viewport& viewport, vec2 at);
+// Where a place in the world is in the window; nothing behind the eye.
+std::optional<vec2> placeOf(const App& app, vec3 world);
+// From the world to clip space of the picture.
+mat4 viewProjection(const App& app);
+// The skin under a place of the window.
+std::optional<SkinHit> hitAt(const App& app, vec2 at);
+
 // World length of one window unit at `distance` from the eye, across the line of sight.
 float worldPerUnit(const Camera& camera, const Viewport& viewport, float distance);
 
@@ -53,7 +72,8 @@ void usePointer(App& app, bool mine);
 
 // Begins to set radius or strength by moving the pointer from where it is.
 void beginAdjust(App& app, Drag what);
-// Esc and right click: gives up the stroke or the adjustment. False when there was neither.
+// Esc and right click: gives up what the pointer is dragging, or else the job that was chosen.
+// False when there was neither.
 bool cancelDrag(App& app);
 
 // Rings under the pointer and arrows of the direction overlay.

@@ -21,7 +21,6 @@ float displayed(float linear) {
 float linear(float shown) {
     return shown <= 0.04045f ? shown / 12.92f : std::pow((shown + 0.055f) / 1.055f, 2.4f);
 }
-vec3 displayed(vec3 c) { return {displayed(c.x), displayed(c.y), displayed(c.z)}; }
 vec3 linear(vec3 c) { return {linear(c.x), linear(c.y), linear(c.z)}; }
 
 ImU32 packed(ImVec4 c) { return ImGui::ColorConvertFloat4ToU32(c); }
@@ -30,7 +29,7 @@ bool resetClicked() { return ImGui::IsItemClicked(ImGuiMouseButton_Right); }
 
 std::optional<vec3> colorSwatch(Ui ui, const Parameter& row, vec3 value, vec3 fallback) {
     std::optional<vec3> changed;
-    const vec3 shown = displayed(value);
+    const vec3 shown = displayedColor(value);
     const float width = ImGui::GetContentRegionAvail().x;
     if (ImGui::ColorButton("##swatch", {shown.x, shown.y, shown.z, 1.0f},
                            ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
@@ -80,6 +79,10 @@ std::optional<vec3> lengthRow(Ui ui, const Parameter& row, vec3 value, vec3 fall
 }
 
 }  // namespace
+
+vec3 displayedColor(vec3 color) {
+    return {displayed(color.x), displayed(color.y), displayed(color.z)};
+}
 
 void beginTips(Tips& tips) {
     if (!tips.seen) tips.over = nullptr;
@@ -208,8 +211,7 @@ std::optional<vec3> parameterRow(Ui ui, const Parameter& row, vec3 value, vec3 f
         if (resetClicked()) changed = fallback;
     } else if (row.kind == ParameterKind::choice) {
         rowLabel(ui, row.label);
-        if (const auto chosen =
-                choiceList(ui, "##choice", row.choices, static_cast<int>(value.x)))
+        if (const auto chosen = choiceList(ui, "##choice", row.choices, static_cast<int>(value.x)))
             changed = vec3(static_cast<float>(*chosen), 0.0f, 0.0f);
         tip(ui, row.help);
     } else if (row.unit == std::string_view("m")) {

@@ -24,6 +24,9 @@ struct Ui {
     Tips& tips;
 };
 
+// A linear color as the screen shows it.
+vec3 displayedColor(vec3 color);
+
 void beginTips(Tips& tips);
 // Of the widget before; `text` has to outlive the frame. `detail` is a dim line below it.
 void tip(Ui ui, const char* text, const char* detail = "");

@@ -18,25 +18,26 @@
 #include "app/actions.h"
 #include "app/app.h"
 #include "app/frame.h"
+#include "app/pen.h"
 
 namespace pelage {
 namespace {
 
 constexpr double kRest = 0.15;  // s without change until the picture converges
+constexpr int kLightTouchKey = GLFW_KEY_Z;
 
 struct Window {
     GLFWwindow* handle = nullptr;
     App app;
     std::unique_ptr<Renderer> renderer;
+    Pen pen;
     FrameKeys keys;
     int redraws = 0;     // frames still needed for widgets to settle
     bool events = true;  // something came since the last frame
     bool closing = false;
     std::string title;
-
-    vec2 toUnits(double x, double y) const {
-        return {static_cast<float>(x), static_cast<float>(y)};
-    }
+    // Window units, as the events tell it: when a slow frame is over glfwGetCursorPos is ahead.
+    vec2 cursor{-1.0f};
 };
 
 Window& windowOf(GLFWwindow* handle) {
@@ -64,6 +65,7 @@ void onKey(GLFWwindow* handle, int key, int scancode, int action, int mods) {
     const bool down = action != GLFW_RELEASE;
     if (key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT) viewport.shift = down;
     if (key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL) viewport.control = down;
+    if (keyOnLayout(key, scancode) == kLightTouchKey) viewport.light = down;
     if (!down) return;
     constexpr int kMods = GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT;
     window.keys.pressed.push_back(
@@ -71,12 +73,14 @@ void onKey(GLFWwindow* handle, int key, int scancode, int action, int mods) {
 }
 
 PointerEvent pointerEvent(GLFWwindow* handle, PointerKind kind) {
-    double x = 0, y = 0;
-    glfwGetCursorPos(handle, &x, &y);
     const auto held = [&](int left, int right) {
         return glfwGetKey(handle, left) == GLFW_PRESS || glfwGetKey(handle, right) == GLFW_PRESS;
     };
-    PointerEvent event{.kind = kind, .at = windowOf(handle).toUnits(x, y)};
+    Window& window = windowOf(handle);
+    PointerEvent event{.kind = kind, .at = window.cursor};
+    event.pressure = window.pen.pressure();
+    event.light = window.app.viewport.light;
+    event.seconds = glfwGetTime();
     event.shift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
     event.control = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
     event.alt = held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
@@ -85,9 +89,8 @@ PointerEvent pointerEvent(GLFWwindow* handle, PointerKind kind) {
 
 void onCursor(GLFWwindow* handle, double x, double y) {
     happened(handle);
-    PointerEvent event = pointerEvent(handle, PointerKind::move);
-    event.at = windowOf(handle).toUnits(x, y);
-    windowOf(handle).app.viewport.events.push_back(event);
+    windowOf(handle).cursor = {static_cast<float>(x), static_cast<float>(y)};
+    windowOf(handle).app.viewport.events.push_back(pointerEvent(handle, PointerKind::move));
 }
 
 void onButton(GLFWwindow* handle, int button, int action, int mods) {
@@ -132,7 +135,10 @@ void listen(GLFWwindow* handle) {
     glfwSetFramebufferSizeCallback(handle, [](GLFWwindow* of, int, int) { happened(of); });
     glfwSetWindowRefreshCallback(handle, happened);
     glfwSetWindowFocusCallback(handle, [](GLFWwindow* of, int) { happened(of); });
-    glfwSetCursorEnterCallback(handle, [](GLFWwindow* of, int) { happened(of); });
+    glfwSetCursorEnterCallback(handle, [](GLFWwindow* of, int entered) {
+        happened(of);
+        windowOf(of).pen.listen(entered == GLFW_TRUE);
+    });
     glfwSetWindowContentScaleCallback(handle, [](GLFWwindow* of, float, float) { happened(of); });
 }
 

@@ -2,6 +2,7 @@
 #include "brush.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double kCombStep = 1.0 / 8.0;  // of the radius, between two looks at the path's direction
 constexpr float kFarthest = 2.0f;        // sizes from the middle of the skin
+constexpr float kTie = 1e-5f;  // of the radius; images of the path that differ less are as near
 constexpr float kSmoothReach = 1.0f / 3.0f;  // of the radius, over which smooth takes its mean
 constexpr float kFacingRamp =
     0.2f;  // cosine to the cursor's normal from which a vertex counts in full
@@ -60,74 +62,83 @@ Stroke::Stroke(const SkinQuery& query, Groom before, Brush brush)
     : query_(&query),
       before_(std::move(before)),
       brush_(brush),
-      touched_(query.skin().vertices.size(), Touch{}) {
+      touched_(query.skin().vertices.size(), Touch{}),
+      mirrorings_(mirrorings(query.skin(), brush.mirror)) {
     assert(brush.radius > 0.0f && brush.strength >= 0.0f && brush.strength <= 1.0f);
     assert(before_.fur.size() == query.skin().vertices.size());
     assert(before_.mask.size() == query.skin().vertices.size());
+    for (const Mirroring& mirroring : mirrorings_) images_.emplace_back(mirroring.turned);
     if (brush.tool == Tool::smooth) averages_.emplace(query, before_, kSmoothReach * radius());
 }
 
-void Stroke::dab(Groom& groom, vec3 position, vec3 normal) {
+void Stroke::dab(Groom& groom, vec3 position, vec3 normal, float pressure) {
     const Skin& skin = query_->skin();
     const float farthest = kFarthest * skin.size();
     if (!finite(position) || glm::distance(position, skin.center()) > farthest) return;
-    const Sample to{position, finite(normal) ? normal : vec3(0.0f)};
-    const Sample from = samples_.empty() ? to : samples_.back();
+    if (!std::isfinite(pressure)) return;
+    const PathPoint to{position, finite(normal) ? normal : vec3(0.0f),
+                       std::clamp(pressure, 0.0f, 1.0f)};
+    const PathPoint from = samples_.empty() ? to : samples_.back();
     if (samples_.empty()) lastStep_ = position;
     samples_.push_back(to);
 
     const float length = glm::distance(from.position, to.position);
-    const int pieces = std::max(1, static_cast<int>(std::ceil(length / radius())));
-    Sample begin = from;
+    const int pieces =
+        std::max(1, static_cast<int>(std::ceil(length / (kLongestPiece * radius()))));
+    PathPoint begin = from;
     for (int k = 1; k <= pieces; ++k) {
         const float t = static_cast<float>(k) / static_cast<float>(pieces);
-        const Sample end = k == pieces ? to
-                                       : Sample{glm::mix(from.position, to.position, t),
-                                                glm::mix(from.normal, to.normal, t)};
-        Piece piece{begin, end, combSteps(begin.position, end.position)};
-        cover(groom, piece);
-        if (brush_.mirrorX) {
-            mirror(piece.from);
-            mirror(piece.to);
-            for (Sample& step : piece.steps) mirror(step);
-            piece.mirrored = true;
-            cover(groom, piece);
-        }
+        const PathPoint end = k == pieces ? to
+                                          : PathPoint{glm::mix(from.position, to.position, t),
+                                                      glm::mix(from.normal, to.normal, t),
+                                                      glm::mix(from.pressure, to.pressure, t)};
+        advance(groom, begin, end);
         begin = end;
     }
 }
 
-void Stroke::mirror(Sample& sample) {
-    sample.position.x = -sample.position.x;
-    sample.normal.x = -sample.normal.x;
-}
-
 float Stroke::radius() const { return workingRadius(query_->skin(), brush_); }
 
-std::vector<Stroke::Sample> Stroke::combSteps(vec3 from, vec3 to) {
-    std::vector<Sample> steps;
+// All images go on to the next point.
+void Stroke::advance(Groom& groom, const PathPoint& from, const PathPoint& to) {
+    const std::vector<CombStep> steps = combSteps(from.position, to.position);
+    const bool needsFoot = brush_.alongSurface || images_.size() > 1;
+    const PathPoint own = needsFoot ? onSkin(*query_, to, brush_.facingOnly) : to;
+    for (std::size_t i = 0; i < images_.size(); ++i) {
+        const PathPoint image =
+            i == 0 ? own : imageOf(*query_, own, mirrorings_[i].matrix, brush_.facingOnly);
+        images_[i].advance(*query_, image, brush_.alongSurface, radius());
+        cover(groom, i, steps);
+    }
+}
+
+std::vector<Stroke::CombStep> Stroke::combSteps(vec3 from, vec3 to) {
+    std::vector<CombStep> steps;
     if (brush_.tool != Tool::comb) return steps;
     const double spacing = kCombStep * radius();
     const double length = glm::distance(glm::dvec3(from), glm::dvec3(to));
     double next = spacing - sinceStep_;
     for (; next <= length; next += spacing) {
-        const vec3 place = glm::mix(from, to, static_cast<float>(next / length));
-        steps.push_back({place, (place - lastStep_) / static_cast<float>(spacing)});
+        const float along = static_cast<float>(next / length);
+        const vec3 place = glm::mix(from, to, along);
+        steps.push_back({along, (place - lastStep_) / static_cast<float>(spacing)});
         lastStep_ = place;
     }
     sinceStep_ = length - (next - spacing);
     return steps;
 }
 
-void Stroke::cover(Groom& groom, const Piece& piece) {
+void Stroke::cover(Groom& groom, std::size_t image, const std::vector<CombStep>& steps) {
     const Skin& skin = query_->skin();
-    const vec3 middle = 0.5f * (piece.from.position + piece.to.position);
-    const float reach = radius() + 0.5f * glm::distance(piece.from.position, piece.to.position);
+    const PathImage& path = images_[image];
+    const bool feet = brush_.alongSurface && path.from().foot && path.to().foot;
+    const vec3 from = feet ? path.from().foot->position : path.from().position;
+    const vec3 to = feet ? path.to().foot->position : path.to().position;
     found_.clear();
-    query_->within(middle, reach, found_);
+    query_->within(0.5f * (from + to), radius() + 0.5f * glm::distance(from, to), found_);
     for (const uint v : found_) {
         Touch touched = touched_[v];
-        if (!touch(skin.vertices[v], piece, touched)) continue;
+        if (!touch(v, image, steps, touched)) continue;
         touched_.edit(v) = touched;
         const Touching by = touching(v, touched);
         writeVertex(groom, v, brushedFur(skin, before_, brush_, v, by),
@@ -137,60 +148,116 @@ void Stroke::cover(Groom& groom, const Piece& piece) {
 
 Touching Stroke::touching(uint v, const Touch& touched) {
     Touching by;
-    by.coverage = std::max(touched.coverage, touched.mirrored);
-    by.turn = touched.coverage - touched.mirrored;
+    by.coverage = std::max(touched.coverage, touched.turned);
+    by.turn = touched.coverage - touched.turned;
     by.path = touched.combed;
-    if (touched.ties > 0.0f) by.offset = touched.offset / touched.ties;
+    if (touched.ties != 0)
+        by.offset = touched.offset / static_cast<float>(std::popcount(touched.ties));
     if (averages_) by.around = averages_->around(v);
     return by;
 }
 
-// Adds the piece of path to what the vertex has felt; false when it felt nothing new.
-bool Stroke::touch(const SkinVertex& vertex, const Piece& piece, Touch& touched) const {
-    const vec3 along = piece.to.position - piece.from.position;
-    const float square = glm::dot(along, along);
-    const vec3 away = vertex.position - piece.from.position;
-    const float t = square > 0.0f ? glm::clamp(glm::dot(away, along) / square, 0.0f, 1.0f) : 0.0f;
-    const vec3 normal = unitOrZero(glm::mix(piece.from.normal, piece.to.normal, t));
-    const float facing = brush_.facingOnly ? facingWeight(vertex.normal, normal) : 1.0f;
-    if (facing <= 0.0f) return false;
-
-    const vec3 offset = away - t * along;
-    const float distance = glm::length(offset);
-    const float coverage = facing * falloffWeight(brush_.falloff, distance, radius());
-    float& covered = piece.mirrored ? touched.mirrored : touched.coverage;
-    bool changed = coverage > covered;
-    covered = std::max(covered, coverage);
-    if (toolInfo(brush_.tool).needsPath && coverage > 0.0f && distance <= touched.nearest) {
-        const bool tie = distance == touched.nearest;  // as on the plane of a mirrored stroke
-        touched.ties = tie ? touched.ties + 1.0f : 1.0f;
-        touched.offset = tie ? touched.offset + offset : offset;
-        touched.nearest = distance;
-        changed = true;
+// The largest falloff x pressure along the last piece of the image.
+float Stroke::coverage(const PathImage& image, const Beside& place) const {
+    const float first = image.from().pressure, last = image.to().pressure;
+    const double length = image.length(), reach = static_cast<double>(radius());
+    const auto pressure = [&](double along) {
+        return length > 0.0 ? glm::mix(first, last, static_cast<float>(along / length)) : last;
+    };
+    const auto at = [&](double along) {
+        return pressure(along) *
+               falloffWeight(brush_.falloff, static_cast<float>(place.distance(along)), radius());
+    };
+    if (first == last || !(place.y < reach)) return at(std::clamp(place.x, 0.0, length));
+    // The stretch within the radius. There both factors are log-concave, so that their product has
+    // one maximum, which golden sections find.
+    const double half = std::sqrt((reach - place.y) * (reach + place.y));
+    if (place.x + half <= 0.0 || place.x - half >= length) return 0.0f;
+    double least = std::clamp(place.x - half, 0.0, length);
+    double most = std::clamp(place.x + half, 0.0, length);
+    if (brush_.falloff == Falloff::constant) return std::max(pressure(least), pressure(most));
+    constexpr double kGolden = 0.6180339887498949;
+    double lower = most - kGolden * (most - least), upper = least + kGolden * (most - least);
+    float atLower = at(lower), atUpper = at(upper);
+    for (int i = 0; i < 10; ++i) {
+        if (atLower < atUpper) {
+            least = lower;
+            lower = upper;
+            atLower = atUpper;
+            upper = least + kGolden * (most - least);
+            atUpper = at(upper);
+        } else {
+            most = upper;
+            upper = lower;
+            atUpper = atLower;
+            lower = most - kGolden * (most - least);
+            atLower = at(lower);
+        }
     }
-    for (const Sample& step : piece.steps) {
-        const float weight =
-            facing *
-            falloffWeight(brush_.falloff, glm::distance(vertex.position, step.position), radius());
+    return std::max({atLower, atUpper, at(least), at(most)});
+}
+
+// Adds the last piece of the image to what the vertex has felt; false when it felt nothing new.
+bool Stroke::touch(uint v, std::size_t image, const std::vector<CombStep>& steps,
+                   Touch& touched) const {
+    const SkinVertex& vertex = query_->skin().vertices[v];
+    const PathImage& path = images_[image];
+    const Beside place = path.beside(vertex, v);
+    const double along = std::clamp(place.x, 0.0, path.length());
+    const float t = path.length() > 0.0 ? static_cast<float>(along / path.length()) : 1.0f;
+    const vec3 normal = unitOrZero(glm::mix(path.from().normal, path.to().normal, t));
+    const float facing = brush_.facingOnly ? facingWeight(vertex.normal, normal) : 1.0f;
+    if (facing <= 0.0f || !(place.y < static_cast<double>(radius()))) return false;
+
+    const float covers = facing * coverage(path, place);
+    float& covered = path.turned() ? touched.turned : touched.coverage;
+    bool changed = covers > covered;
+    covered = std::max(covered, covers);
+    if (toolInfo(brush_.tool).needsPath && covers > 0.0f) {
+        const float distance = static_cast<float>(place.distance(along));
+        const uint own = 1u << image;
+        const float tie = kTie * radius();
+        const bool nearer =
+            distance < touched.nearest - tie || (touched.ties == own && distance < touched.nearest);
+        const bool tied = !nearer && distance <= touched.nearest + tie && !(touched.ties & own);
+        const vec3 offset = vertex.position - glm::mix(path.from().position, path.to().position, t);
+        if (nearer) touched.nearest = distance;
+        if (nearer || tied) {
+            touched.ties = nearer ? own : touched.ties | own;
+            touched.offset = nearer ? offset : touched.offset + offset;
+            changed = true;
+        }
+    }
+    for (const CombStep& step : steps) {
+        const double there = static_cast<double>(step.along) * path.length();
+        const float distance = static_cast<float>(place.distance(there));
+        const float weight = facing *
+                             glm::mix(path.from().pressure, path.to().pressure, step.along) *
+                             falloffWeight(brush_.falloff, distance, radius());
         if (weight <= 0.0f) continue;
-        touched.combed += weight * step.normal;
+        touched.combed += weight * (mat3(mirrorings_[image].matrix) * step.direction);
         changed = true;
     }
     return changed;
 }
 
 std::string Stroke::line() const {
-    std::string text = "stroke " + brushText(brush_) + " :";
-    for (const Sample& sample : samples_) {
+    const bool pressed = std::any_of(samples_.begin(), samples_.end(), [](const PathPoint& sample) {
+        return sample.pressure != 1.0f;
+    });
+    std::string text = "stroke " + brushText(brush_) + (pressed ? " pressure :" : " :");
+    for (const PathPoint& sample : samples_) {
         text += ' ';
         for (const float number : {sample.position.x, sample.position.y, sample.position.z,
                                    sample.normal.x, sample.normal.y, sample.normal.z})
             text += ' ' + floatText(number);
+        if (pressed) text += ' ' + floatText(sample.pressure);
     }
     return text;
 }
 
 void flood(const SkinQuery& query, Groom& groom, const Brush& brush, vec3 direction) {
+    if (toolInfo(brush.tool).needsPath) return;
     const Skin& skin = query.skin();
     const Groom before = groom;  // smooth looks at neighbours
     std::optional<Averages> averages;

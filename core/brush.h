@@ -1,9 +1,9 @@
 // brush.h -- strokes: how a brush that moves over the skin changes what is painted.
 //
 // The effect of a stroke is a function of the groom before it and of its coverage: at each vertex
-// the largest falloff along the path. So it does not depend on how often the pointer was sampled,
-// and overlaps do not add up. Comb sums directions along a path resampled at a fixed spacing; part
-// and clump look at the nearest point of the path.
+// the largest falloff x pressure along the path. So it does not depend on how often the pointer was
+// sampled, and overlaps do not add up. Comb sums directions along a path resampled at a fixed
+// spacing; part and clump look at the nearest point of the path.
 #pragma once
 
 #include <cstddef>
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "averages.h"
+#include "brush_path.h"
 #include "groom.h"
 #include "skin_query.h"
 
@@ -35,7 +36,7 @@ enum class Tool {
     mask
 };
 inline constexpr std::size_t kToolCount = 12;
-enum class Mode { add, subtract, set };
+enum class Mode { add, subtract, set, scale };
 enum class Falloff { smooth, linear, sharp, constant };
 
 // Row of the tool table: what buttons, keys, scripts and help are made from.
@@ -47,6 +48,7 @@ struct ToolInfo {
     const char* add;       // what Mode::add and Mode::subtract do, in a word or two; null where the
     const char* subtract;  // tool works one way only
     bool hasSet;           // Mode::set tends to Brush::value
+    bool hasScale;         // Mode::scale tends to Brush::factor times what was there
     bool ofLength;         // the value is in m, else from 0 to 1
     bool needsPath;        // works by where the stroke went: no flood
     float least, greatest;  // of Brush::value; lengths: in multiples of the skin's size
@@ -56,6 +58,8 @@ const ToolInfo& toolInfo(Tool tool);
 std::span<const char* const> modeNames();     // in scripts, in the order of Mode
 std::span<const char* const> falloffNames();  // in the order of Falloff
 
+inline constexpr float kGreatestFactor = 10.0f;  // by which a brush scales
+
 struct Brush {
     Tool tool = Tool::comb;
     Mode mode = Mode::add;
@@ -63,10 +67,16 @@ struct Brush {
     float radius = 0.05f;   // m, world, > 0; below 1/1000 of the skin's size it counts as that
     float strength = 0.5f;  // [0,1]
     float value = 0.0f;     // for Mode::set: m (length, cut) or [0,1] (density, mask)
+    float factor = 0.5f;    // for Mode::scale: [0, kGreatestFactor]
     vec3 color{1.0f};       // of tint: linear RGB, each in [0,1]
-    bool mirrorX = false;   // the same on the other side of the skin's own x = 0 plane (world)
-    bool facingOnly =
-        true;  // skip vertices whose normal points away from the skin under the cursor
+    // The same on the other sides of the planes x = 0, y = 0 and z = 0 of the skin's own space: up
+    // to eight images of the path, each moved onto the nearest skin (brush_path.h).
+    glm::bvec3 mirror{false};
+    // Distances are along the skin, so that an ear is not painted with the head behind it; else in
+    // a straight line.
+    bool alongSurface = true;
+    // Skip vertices whose normal points away from the skin under the cursor.
+    bool facingOnly = true;
 };
 
 struct Touching;  // tools.h
@@ -81,10 +91,11 @@ public:
     Stroke(const SkinQuery& query, Groom before, Brush brush);
 
     // Covers the path from the last point to this one (the first call: the point alone) and writes
-    // the touched vertices of `groom`. `normal` is that of the skin under the cursor. Cost grows
-    // with the footprint and not with the mesh. A mirrored brush dabs both sides. Points that are
-    // not finite or farther than two sizes from the middle of the skin are no part of the path.
-    void dab(Groom& groom, vec3 position, vec3 normal);
+    // the touched vertices of `groom`. `normal` is that of the skin under the cursor. `pressure`,
+    // [0,1], scales the coverage; between two points it changes evenly. Cost grows with the
+    // footprint and not with the mesh. Points that are not finite or farther than two sizes from
+    // the middle of the skin are no part of the path.
+    void dab(Groom& groom, vec3 position, vec3 normal, float pressure = 1.0f);
 
     const Brush& brush() const { return brush_; }
 
@@ -92,30 +103,27 @@ public:
     std::string line() const;
 
 private:
-    struct Sample {
-        vec3 position, normal;
-    };
     // What the path so far did to a vertex.
     struct Touch {
         vec3 combed{0.0f};      // sum of weight x direction of the path, world
-        float coverage = 0.0f;  // [0,1] largest falloff along the path
-        float mirrored = 0.0f;  // the same of the path's mirror image
+        float coverage = 0.0f;  // [0,1] largest falloff x pressure along the path
+        float turned = 0.0f;    // the same of the images that exchange left and right
         float nearest = std::numeric_limits<float>::infinity();  // m, from the path
-        float ties = 0.0f;  // how many points of the path are that near
+        uint ties = 0;      // the images of the path that are that near, a bit each
         vec3 offset{0.0f};  // sum of the ways from them to the vertex, m, world
     };
-    // A stretch of the path that is short enough for one radius query.
-    struct Piece {
-        Sample from, to;
-        std::vector<Sample> steps;  // of the comb; `normal` holds the direction of the path there
-        bool mirrored = false;
+    // A place where the comb looks at the direction of the path.
+    struct CombStep {
+        float along = 0.0f;    // [0,1] of the piece
+        vec3 direction{0.0f};  // of the path since the step before, world
     };
 
     float radius() const;
-    static void mirror(Sample& sample);
-    std::vector<Sample> combSteps(vec3 from, vec3 to);
-    void cover(Groom& groom, const Piece& piece);
-    bool touch(const SkinVertex& vertex, const Piece& piece, Touch& touched) const;
+    void advance(Groom& groom, const PathPoint& from, const PathPoint& to);
+    std::vector<CombStep> combSteps(vec3 from, vec3 to);
+    void cover(Groom& groom, std::size_t image, const std::vector<CombStep>& steps);
+    bool touch(uint v, std::size_t image, const std::vector<CombStep>& steps, Touch& touched) const;
+    float coverage(const PathImage& image, const Beside& place) const;
     Touching touching(uint v, const Touch& touched);
 
     const SkinQuery* query_;
@@ -123,10 +131,12 @@ private:
     Brush brush_;
     Chunked<Touch> touched_;            // one per skin vertex
     std::optional<Averages> averages_;  // of smooth
-    std::vector<Sample> samples_;       // as they came
-    vec3 lastStep_{0.0f};               // last place at which the comb looked at its direction
-    double sinceStep_ = 0.0;            // m of path since then
-    std::vector<uint> found_;           // kept between dabs for its memory
+    std::vector<Mirroring> mirrorings_;
+    std::vector<PathImage> images_;   // by each of the mirrorings
+    std::vector<PathPoint> samples_;  // as they came, without feet
+    vec3 lastStep_{0.0f};             // last place at which the comb looked at its direction
+    double sinceStep_ = 0.0;          // m of path since then
+    std::vector<uint> found_;         // kept between dabs for its memory
 };
 
 // The same tool over the entire skin at full coverage; masked vertices keep their values by the

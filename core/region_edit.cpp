@@ -51,14 +51,10 @@ float changedNumber(const Spot& spot, const RegionEdit& change, float old, float
 
 // The tangential part of `direction`, with all of its magnitude, at most 1.
 std::optional<vec3> laidDown(vec3 direction, vec3 normal) {
-    const float length = glm::length(direction);
-    if (length == 0.0f) return vec3(0.0f);
-    if (!std::isfinite(length)) return std::nullopt;
-    const vec3 unit = direction / length;
-    const vec3 flat = unit - normal * glm::dot(unit, normal);
-    const float left = glm::length(flat);
-    if (!(left > 1e-3f)) return std::nullopt;
-    return std::min(length, 1.0f) * (flat / left);
+    if (direction == vec3(0.0f)) return vec3(0.0f);
+    const vec3 heading = onTangentPlane(direction, normal);
+    if (heading == vec3(0.0f)) return std::nullopt;
+    return std::min(glm::length(direction), 1.0f) * heading;
 }
 
 vec3 changedDirection(const Spot& spot, const RegionEdit& change, const FurVertex& old) {

@@ -28,22 +28,8 @@ std::size_t placeOf(std::span<const char* const> names, std::string_view word, c
                              known);
 }
 
-float numberFrom(std::string_view word, std::string_view what, float least, float greatest) {
-    const std::optional<float> number = floatFromText(word);
-    if (!number || *number < least || *number > greatest)
-        throw std::runtime_error(std::string(what) + " " + inQuotes(word) + " is no number from " +
-                                 floatText(least) + " to " + floatText(greatest));
-    return *number;
-}
-
 float number(Words& words, std::string_view what, float least, float greatest = kMost) {
-    return numberFrom(words.next(), what, least, greatest);
-}
-
-vec3 point(Words& words, std::string_view what) {
-    vec3 read(0.0f);
-    for (int i = 0; i < 3; ++i) read[i] = number(words, what, -kMost);
-    return read;
+    return numberAfter(words, what, least, greatest);
 }
 
 void expectWord(Words& words, std::string_view expected) {
@@ -92,63 +78,6 @@ std::string_view readPolygon(Words& words, std::vector<vec2>& polygon) {
     return word;
 }
 
-// The region up to the colon.
-Region readRegion(Words& words) {
-    Region region;
-    region.where = static_cast<Where>(placeOf(kPlaces, words.next(), "region"));
-    std::optional<std::string_view> ahead;
-    switch (region.where) {
-        case Where::sphere:
-            region.center = point(words, "the centre");
-            expectWord(words, "radius");
-            region.radius = number(words, "radius", 0.0f);
-            break;
-        case Where::box:
-            region.center = point(words, "the centre");
-            expectWord(words, "half");
-            region.half = point(words, "half");
-            break;
-        case Where::segment:
-            region.segment = nameFromText(words.next());
-            break;
-        case Where::narrow:
-            region.width = number(words, "narrow", 0.0f);
-            break;
-        case Where::curved:
-            region.curvature = number(words, "curved", 0.0f, 1e9f);
-            break;
-        case Where::lasso: {
-            std::string_view word = words.next();
-            if (word == "eye") {
-                region.eye = point(words, "eye");
-                word = words.next();
-            }
-            if (word != "view") throw std::runtime_error("expects view and not " + inQuotes(word));
-            for (int i = 0; i < 16; ++i)
-                region.viewProjection[i / 4][i % 4] = number(words, "view", -1e30f, 1e30f);
-            expectWord(words, "points");
-            ahead = readPolygon(words, region.polygon);
-            break;
-        }
-        case Where::all:
-        case Where::mask:
-            break;
-    }
-    for (std::string_view word = ahead ? *ahead : words.next(); word != ":"; word = words.next()) {
-        if (word == "sizes") {
-            region.sizes = true;
-        } else if (word == "falloff") {
-            region.falloff = number(words, word, 0.0f, 1e9f);
-        } else if (word == "turn" && region.where == Where::box) {
-            region.turn = point(words, word);
-        } else {
-            throw std::runtime_error(word.empty() ? "the region has no : and no edit"
-                                                  : "no region knows " + inQuotes(word));
-        }
-    }
-    return region;
-}
-
 uint seedFrom(std::string_view word) {
     uint seed = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), seed);
@@ -165,7 +94,7 @@ RegionEdit readEdit(Words& words) {
     if (change.act == RegionAct::scale) {
         change.value = number(words, "scale", 0.0f);
     } else if (change.act == RegionAct::set && change.channel == Channel::direction) {
-        change.direction = point(words, "set");
+        change.direction = pointAfter(words, "set");
     } else if (change.act == RegionAct::set) {
         change.value = number(words, "set", 0.0f, change.channel == Channel::length ? kMost : 1.0f);
     } else if (change.act == RegionAct::randomise || !words.done()) {
@@ -186,6 +115,76 @@ std::string channelName(Channel channel) {
     return channel == Channel::length    ? "length"
            : channel == Channel::density ? "density"
                                          : "direction";
+}
+
+std::string editText(const RegionEdit& change) {
+    std::string text =
+        channelName(change.channel) + ' ' + kActs[static_cast<std::size_t>(change.act)];
+    if (change.act == RegionAct::set && change.channel == Channel::direction)
+        add(text, change.direction);
+    else
+        text += ' ' + floatText(change.value);
+    if (change.act == RegionAct::randomise && change.seed != 0)
+        text += " seed " + std::to_string(change.seed);
+    return text;
+}
+
+}  // namespace
+
+Region regionNamed(std::string_view where, Words& words) {
+    Region region;
+    region.where = static_cast<Where>(placeOf(kPlaces, where, "region"));
+    std::optional<std::string_view> ahead;
+    switch (region.where) {
+        case Where::sphere:
+            region.center = pointAfter(words, "the centre");
+            expectWord(words, "radius");
+            region.radius = number(words, "radius", 0.0f);
+            break;
+        case Where::box:
+            region.center = pointAfter(words, "the centre");
+            expectWord(words, "half");
+            region.half = pointAfter(words, "half");
+            break;
+        case Where::segment:
+            region.segment = nameFromText(words.next());
+            break;
+        case Where::narrow:
+            region.width = number(words, "narrow", 0.0f);
+            break;
+        case Where::curved:
+            region.curvature = number(words, "curved", 0.0f, 1e9f);
+            break;
+        case Where::lasso: {
+            std::string_view word = words.next();
+            if (word == "eye") {
+                region.eye = pointAfter(words, "eye");
+                word = words.next();
+            }
+            if (word != "view") throw std::runtime_error("expects view and not " + inQuotes(word));
+            for (int i = 0; i < 16; ++i)
+                region.viewProjection[i / 4][i % 4] = number(words, "view", -1e30f, 1e30f);
+            expectWord(words, "points");
+            ahead = readPolygon(words, region.polygon);
+            break;
+        }
+        case Where::all:
+        case Where::mask:
+            break;
+    }
+    for (std::string_view word = ahead ? *ahead : words.next(); !word.empty() && word != ":";
+         word = words.next()) {
+        if (word == "sizes") {
+            region.sizes = true;
+        } else if (word == "falloff") {
+            region.falloff = number(words, word, 0.0f, 1e9f);
+        } else if (word == "turn" && region.where == Where::box) {
+            region.turn = pointAfter(words, word);
+        } else {
+            throw std::runtime_error("no region knows " + inQuotes(word));
+        }
+    }
+    return region;
 }
 
 std::string regionText(const Region& region) {
@@ -227,23 +226,10 @@ std::string regionText(const Region& region) {
     return text;
 }
 
-std::string editText(const RegionEdit& change) {
-    std::string text =
-        channelName(change.channel) + ' ' + kActs[static_cast<std::size_t>(change.act)];
-    if (change.act == RegionAct::set && change.channel == Channel::direction)
-        add(text, change.direction);
-    else
-        text += ' ' + floatText(change.value);
-    if (change.act == RegionAct::randomise && change.seed != 0)
-        text += " seed " + std::to_string(change.seed);
-    return text;
-}
-
-}  // namespace
-
 RegionWords regionFromWords(Words& words) {
     RegionWords read;
-    read.region = readRegion(words);
+    read.region = regionNamed(words.next(), words);
+    if (words.done()) throw std::runtime_error("the region has no : with an edit after it");
     read.change = readEdit(words);
     return read;
 }

@@ -17,6 +17,11 @@
 
 namespace pelage {
 
+// WHERE and what follows it, up to a colon or the end of the line, written and read. Throws
+// std::runtime_error naming the offending word.
+std::string regionText(const Region& region);
+Region regionNamed(std::string_view where, Words& words);
+
 struct RegionWords {
     Region region;
     RegionEdit change;

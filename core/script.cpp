@@ -10,6 +10,8 @@
 #include "coat.h"
 #include "files.h"
 #include "gltf_out.h"
+#include "gradient.h"
+#include "mask_edit.h"
 #include "region_text.h"
 #include "script_text.h"
 #include "segment_text.h"
@@ -57,6 +59,14 @@ vec3 pointFromWords(Words& words) {
     return point;
 }
 
+float pressureFromWords(Words& words) {
+    const std::string_view word = words.next();
+    const std::optional<float> number = floatFromText(word);
+    if (!number || !(*number >= 0.0f && *number <= 1.0f))
+        throw std::runtime_error(inQuotes(word) + " is no pressure from 0 to 1");
+    return *number;
+}
+
 void runOpen(Workspace& workspace, Words& words) {
     workspace.open(openDocument(readSource(pathOf(words))));
 }
@@ -99,18 +109,28 @@ void runSet(Workspace& workspace, Words& words) {
 
 void runStroke(Workspace& workspace, Words& words) {
     Editor& editor = editorOf(workspace);
-    const auto [brush, stopped] = brushFromWords(words, true);
+    auto [brush, stopped] = brushFromWords(words, true);
+    const bool pressed = stopped == "pressure";
+    if (pressed) stopped = words.next();
     if (stopped != ":")
         throw std::runtime_error(stopped.empty() ? "the stroke has no : and no points"
                                                  : "no brush knows " + inQuotes(stopped));
-    std::vector<vec3> points;
-    while (!words.done()) points.push_back(pointFromWords(words));
-    if (points.size() % 2 != 0)
-        throw std::runtime_error("the last point of the stroke has no normal");
+    struct Point {
+        vec3 position, normal;
+        float pressure = 1.0f;
+    };
+    std::vector<Point> points;
+    while (!words.done()) {
+        Point point{pointFromWords(words), vec3(0.0f)};
+        if (words.done()) throw std::runtime_error("the last point of the stroke has no normal");
+        point.normal = pointFromWords(words);
+        if (pressed) point.pressure = pressureFromWords(words);
+        points.push_back(point);
+    }
     editor.edit([&, &of = brush](Document& document) {
         Stroke stroke(*workspace.query, document.groom, of);
-        for (std::size_t i = 0; i < points.size(); i += 2)
-            stroke.dab(document.groom, points[i], points[i + 1]);
+        for (const Point& point : points)
+            stroke.dab(document.groom, point.position, point.normal, point.pressure);
     });
     editor.commit(strokeLabel(brush));
 }
@@ -144,9 +164,7 @@ void runReset(Workspace& workspace, Words& words) {
     editor.commit(std::string("Reset ") + tool.name);
 }
 
-void runSegmentLine(Workspace& workspace, Words& words) {
-    runSegment(editorOf(workspace), words);
-}
+void runSegmentLine(Workspace& workspace, Words& words) { runSegment(editorOf(workspace), words); }
 
 void runComb(Workspace& workspace, Words& words) { runHeadToTail(editorOf(workspace), words); }
 
@@ -158,6 +176,15 @@ void runRegion(Workspace& workspace, Words& words) {
     applyRegion(*workspace.query, groom, region, change);
     editor.edit([&](Document& document) { document.groom = std::move(groom); });
     editor.commit(regionLabel(region, change));
+}
+
+void runGradientLine(Workspace& workspace, Words& words) {
+    runGradient(editorOf(workspace), words);
+}
+
+void runMaskLine(Workspace& workspace, Words& words) {
+    Editor& editor = editorOf(workspace);
+    runMask(*workspace.query, editor, words);
 }
 
 void runUndo(Workspace& workspace, Words& words) {
@@ -180,7 +207,7 @@ struct Command {
     const char* name;
     void (*run)(Workspace&, Words&);
 };
-constexpr std::array<Command, 13> kCommands{{{"open", runOpen},
+constexpr std::array<Command, 15> kCommands{{{"open", runOpen},
                                              {"animal", runAnimal},
                                              {"preset", runPreset},
                                              {"set", runSet},
@@ -190,6 +217,8 @@ constexpr std::array<Command, 13> kCommands{{{"open", runOpen},
                                              {"segment", runSegmentLine},
                                              {"comb", runComb},
                                              {"region", runRegion},
+                                             {"gradient", runGradientLine},
+                                             {"mask", runMaskLine},
                                              {"undo", runUndo},
                                              {"redo", runRedo},
                                              {"save", runSave}}};
@@ -237,15 +266,16 @@ void Workspace::open(Document document) {
     editor = std::move(newEditor);
 }
 
-void Workspace::press(const Brush& brush, vec3 position, vec3 normal) {
+void Workspace::press(const Brush& brush, vec3 position, vec3 normal, float pressure) {
     cancelStroke();
     stroke.emplace(*query, editor->document().groom, brush);
-    drag(position, normal);
+    drag(position, normal, pressure);
 }
 
-void Workspace::drag(vec3 position, vec3 normal) {
+void Workspace::drag(vec3 position, vec3 normal, float pressure) {
     if (!stroke) return;
-    editor->edit([&](Document& document) { stroke->dab(document.groom, position, normal); });
+    editor->edit(
+        [&](Document& document) { stroke->dab(document.groom, position, normal, pressure); });
 }
 
 std::string Workspace::release() {

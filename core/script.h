@@ -5,10 +5,15 @@
 //   animal [TRIANGLES]                     the built-in animal, as the program opens it
 //   preset NAME
 //   set over.stiffness 0.3 [NAME VALUE ...]
-//   stroke TOOL [add|subtract|set VALUE] [color r g b] radius R [strength S] [falloff NAME]
-//          [mirror] [through] : px py pz nx ny nz  px py pz nx ny nz ...
-//   flood TOOL [add|subtract|set VALUE] [color r g b] [strength S] [direction x y z]
+//   stroke TOOL [add|subtract|set VALUE|scale FACTOR] [color r g b] radius R [strength S]
+//          [falloff NAME] [mirror [xyz]] [straight] [through] [pressure] : px py pz nx ny nz  px py
+//          pz nx ny nz ...
+//   flood TOOL [add|subtract|set VALUE|scale FACTOR] [color r g b] [strength S] [direction x y z]
 //   region WHERE [sizes] [falloff F] : CHANNEL ACT      as region_text.h says
+//   gradient TOOL [between] from x y z VALUE to x y z VALUE         as gradient.h says
+//   mask invert|clear|fill                 the whole painted mask, as mask_edit.h says
+//   mask grow|shrink|smooth [RINGS]
+//   mask from length|density|WHERE ...
 //   reset TOOL                             what the tool paints, as it was before any painting
 //   segment NAME [axis x y z] [weight W]  combs a body segment along its own axis or this one
 //   comb head-to-tail [weight W]           combs the whole body along its segments
@@ -16,10 +21,13 @@
 //   redo
 //   save PATH                              refuses a name that does not end in .glb
 // Blank lines and lines that begin with # do nothing. The words after TOOL may come in any order;
-// strength is 0.5 for a stroke and 1 for a flood unless said. Only comb takes a direction, and a
-// flood of it needs one; only tint takes a color, linear RGB and 1 1 1 unless said; cut needs a
-// value; part and clump cannot flood. Undo and redo at the end of the history do nothing. Numbers
-// are written so that they read back bit for bit. PATH and NAME of a preset are the rest of the line.
+// `mirror` alone stands for `mirror x`, `straight` for distances that do not follow the surface.
+// `pressure` stands last and adds a seventh number to each point, [0,1], by which the brush presses
+// there; strength is 0.5 for a stroke and 1 for a flood unless said. Only comb takes a direction,
+// and a flood of it needs one; only tint takes a color, linear RGB and 1 1 1 unless said; cut needs
+// a value; part and clump cannot flood. Undo and redo at the end of the history do nothing. Numbers
+// are written so that they read back bit for bit. PATH and NAME of a preset are the rest of the
+// line.
 #pragma once
 
 #include <memory>
@@ -42,8 +50,8 @@ struct Workspace {
     void open(Document document);
 
     // A stroke by hand. Drag and release do nothing without a press.
-    void press(const Brush& brush, vec3 position, vec3 normal);
-    void drag(vec3 position, vec3 normal);
+    void press(const Brush& brush, vec3 position, vec3 normal, float pressure = 1.0f);
+    void drag(vec3 position, vec3 normal, float pressure = 1.0f);
     // Ends the stroke as one step of history, and returns its script line; empty if it changed
     // nothing, and then there is no step.
     std::string release();

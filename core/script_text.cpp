@@ -7,11 +7,13 @@
 #include <stdexcept>
 
 #include "text.h"
+#include "tools.h"
 
 namespace pelage {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r";
+constexpr std::string_view kAxes = "xyz";
 
 std::optional<std::size_t> place(std::span<const char* const> names, std::string_view word) {
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -19,13 +21,16 @@ std::optional<std::size_t> place(std::span<const char* const> names, std::string
     return std::nullopt;
 }
 
-float numberAfter(Words& words, std::string_view what, float least, float greatest) {
-    const std::string_view word = words.next();
-    const std::optional<float> number = floatFromText(word);
-    if (!number || *number < least || *number > greatest)
-        throw std::runtime_error(std::string(what) + " " + inQuotes(word) + " is no number from " +
-                                 floatText(least) + " to " + floatText(greatest));
-    return *number;
+// "xz": the axes that the next word names; x alone where it names none.
+glm::bvec3 axesFromWords(Words& words) {
+    Words ahead = words;
+    const std::string_view word = ahead.next();
+    if (word.empty() || word.find_first_not_of(kAxes) != std::string_view::npos)
+        return {true, false, false};
+    words = ahead;
+    glm::bvec3 axes(false);
+    for (const char letter : word) axes[static_cast<int>(kAxes.find(letter))] = true;
+    return axes;
 }
 
 }  // namespace
@@ -42,10 +47,11 @@ const ToolInfo& toolNamed(std::string_view word) {
 std::string toolText(const Brush& brush) {
     const ToolInfo& tool = toolInfo(brush.tool);
     std::string text = tool.name;
-    const Mode mode = tool.add ? brush.mode : Mode::set;  // cut has no other
+    const Mode mode = modeOf(brush);
     if (tool.hasSet || mode == Mode::subtract)
         text += std::string(" ") + modeNames()[static_cast<std::size_t>(mode)];
-    if (tool.hasSet && mode == Mode::set) text += ' ' + floatText(brush.value);
+    if (mode == Mode::set) text += ' ' + floatText(brush.value);
+    if (mode == Mode::scale) text += ' ' + floatText(brush.factor);
     if (brush.tool == Tool::tint && mode != Mode::subtract)
         text += " color " + floatText(brush.color.r) + ' ' + floatText(brush.color.g) + ' ' +
                 floatText(brush.color.b);
@@ -56,7 +62,13 @@ std::string brushText(const Brush& brush) {
     std::string text = toolText(brush) + " radius " + floatText(brush.radius);
     if (brush.falloff != Falloff::smooth)
         text += std::string(" falloff ") + falloffNames()[static_cast<std::size_t>(brush.falloff)];
-    if (brush.mirrorX) text += " mirror";
+    if (glm::any(brush.mirror)) text += " mirror";
+    if (brush.mirror.y || brush.mirror.z) {
+        text += ' ';
+        for (int axis = 0; axis < 3; ++axis)
+            if (brush.mirror[axis]) text += kAxes[static_cast<std::size_t>(axis)];
+    }
+    if (!brush.alongSurface) text += " straight";
     if (!brush.facingOnly) text += " through";
     return text;
 }
@@ -82,6 +94,25 @@ std::string_view Words::path() {
     return rest_;
 }
 
+float numberFrom(std::string_view word, std::string_view what, float least, float greatest) {
+    const std::optional<float> number = floatFromText(word);
+    if (!number || *number < least || *number > greatest)
+        throw std::runtime_error(std::string(what) + " " + inQuotes(word) + " is no number from " +
+                                 floatText(least) + " to " + floatText(greatest));
+    return *number;
+}
+
+float numberAfter(Words& words, std::string_view what, float least, float greatest) {
+    return numberFrom(words.next(), what, least, greatest);
+}
+
+vec3 pointAfter(Words& words, std::string_view what) {
+    constexpr float kMost = 1e6f;  // m; also keeps squares of it finite
+    vec3 read(0.0f);
+    for (int i = 0; i < 3; ++i) read[i] = numberAfter(words, what, -kMost, kMost);
+    return read;
+}
+
 BrushWords brushFromWords(Words& words, bool ofStroke) {
     constexpr float kMost = 1e6f;  // m; also keeps squares of it finite
     BrushWords found;
@@ -94,6 +125,10 @@ BrushWords brushFromWords(Words& words, bool ofStroke) {
         if (const auto mode = place(modeNames(), word)) {
             brush.mode = static_cast<Mode>(*mode);
             const float most = tool.ofLength ? kMost : 1.0f;
+            if (brush.mode == Mode::scale && !tool.hasScale)
+                throw std::runtime_error(std::string(tool.name) + " does not scale");
+            if (brush.mode == Mode::scale)
+                brush.factor = numberAfter(words, word, 0.0f, kGreatestFactor);
             value = brush.mode == Mode::set;
             if (value) brush.value = numberAfter(words, word, 0.0f, most);
         } else if (brush.tool == Tool::tint && word == "color") {
@@ -111,7 +146,9 @@ BrushWords brushFromWords(Words& words, bool ofStroke) {
                                          "; there are smooth, linear, sharp, constant");
             brush.falloff = static_cast<Falloff>(*falloff);
         } else if (ofStroke && word == "mirror") {
-            brush.mirrorX = true;
+            brush.mirror = axesFromWords(words);
+        } else if (ofStroke && word == "straight") {
+            brush.alongSurface = false;
         } else if (ofStroke && word == "through") {
             brush.facingOnly = false;
         } else {

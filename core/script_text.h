@@ -10,8 +10,8 @@ namespace pelage {
 
 // "length set 0.03 strength 0.5": what strokes and floods have in common.
 std::string toolText(const Brush& brush);
-// "comb add strength 0.5 radius 0.05 falloff sharp mirror through": the brush of a stroke, without
-// what is at its default and can be left out.
+// "comb add strength 0.5 radius 0.05 falloff sharp mirror xz straight through": the brush of a
+// stroke, without what is at its default and can be left out.
 std::string brushText(const Brush& brush);
 
 // The words of a line, one after the other.
@@ -33,6 +33,12 @@ private:
 
 // The row of the tool table. Throws std::runtime_error that lists the tools.
 const ToolInfo& toolNamed(std::string_view word);
+
+// A word, or the next one, as a number within these bounds; three of them. Throw
+// std::runtime_error that says what the number is of.
+float numberFrom(std::string_view word, std::string_view what, float least, float greatest);
+float numberAfter(Words& words, std::string_view what, float least, float greatest);
+vec3 pointAfter(Words& words, std::string_view what);
 
 struct BrushWords {
     Brush brush;

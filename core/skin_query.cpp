@@ -2,10 +2,14 @@
 #include "skin_query.h"
 
 #include <embree3/rtcore.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -65,6 +69,17 @@ void boundsOfRun(const RTCBoundsFunctionArguments* arguments) {
     bounds.upper_z = box.upper.z;
 }
 
+// Puts each triangle of a fan after its neighbour where there is one.
+void chain(std::span<uvec2> fan) {
+    constexpr std::size_t kMost = 64;  // of a fan that is worth it
+    if (fan.size() > kMost) return;
+    for (std::size_t i = 1; i < fan.size(); ++i) {
+        const auto next = std::find_if(fan.begin() + static_cast<std::ptrdiff_t>(i), fan.end(),
+                                       [&](uvec2 pair) { return pair.x == fan[i - 1].y; });
+        if (next != fan.end()) std::swap(*next, fan[i]);
+    }
+}
+
 struct RunSearch {
     const std::vector<Box>* boxes;
     vec3 point;
@@ -83,12 +98,90 @@ bool noteRun(RTCPointQueryFunctionArguments* arguments) {
     return false;
 }
 
+// Unit normal of a face; its winding decides the side. In double: the squared area of a small
+// triangle is far below the range of float.
+vec3 faceNormal(const Skin& skin, uvec3 corners) {
+    const glm::dvec3 a(skin.vertices[corners.x].position), b(skin.vertices[corners.y].position),
+        c(skin.vertices[corners.z].position);
+    return vec3(glm::normalize(glm::cross(b - a, c - a)));
+}
+
+// On the side of the hair, which need not be that of the winding in a mirrored part.
+vec3 hairNormal(const Skin& skin, uvec3 corners) {
+    const vec3 normal = faceNormal(skin, corners);
+    const vec3 hair = skin.vertices[corners.x].normal + skin.vertices[corners.y].normal +
+                      skin.vertices[corners.z].normal;
+    return glm::dot(normal, hair) < 0.0f ? -normal : normal;
+}
+
+struct Weights {
+    double u = 0.0, v = 0.0;  // of the second and third corner, each >= 0, sum <= 1
+};
+
+// Of the point of a triangle nearest to the origin (after Ericson, Real-Time Collision Detection,
+// 2005, section 5.1.5).
+Weights nearestInTriangle(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
+    const glm::dvec3 ab = b - a, ac = c - a;
+    const double d1 = -glm::dot(ab, a), d2 = -glm::dot(ac, a);
+    if (d1 <= 0.0 && d2 <= 0.0) return {0.0, 0.0};
+    const double d3 = -glm::dot(ab, b), d4 = -glm::dot(ac, b);
+    if (d3 >= 0.0 && d4 <= d3) return {1.0, 0.0};
+    const double ofC = d1 * d4 - d3 * d2;
+    if (ofC <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return {d1 / (d1 - d3), 0.0};
+    const double d5 = -glm::dot(ab, c), d6 = -glm::dot(ac, c);
+    if (d6 >= 0.0 && d5 <= d6) return {0.0, 1.0};
+    const double ofB = d5 * d2 - d1 * d6;
+    if (ofB <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return {0.0, d2 / (d2 - d6)};
+    const double ofA = d3 * d6 - d5 * d4;
+    if (ofA <= 0.0 && d4 >= d3 && d5 >= d6) {
+        const double v = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+        return {1.0 - v, v};
+    }
+    const double sum = ofA + ofB + ofC;
+    return {ofB / sum, ofC / sum};
+}
+
+struct NearestSearch {
+    const Skin* skin;
+    glm::dvec3 point;
+    vec3 facing;
+    double square = std::numeric_limits<double>::infinity();  // m^2, of the distance so far
+    uint triangle = 0;
+    Weights weights{};
+};
+
+// Keeps the triangle if it is nearer, or as near and earlier, and narrows the search to it.
+bool noteNearest(RTCPointQueryFunctionArguments* arguments) {
+    auto& search = *static_cast<NearestSearch*>(arguments->userPtr);
+    const Skin& skin = *search.skin;
+    const uint triangle = arguments->primID;
+    if (!(skin.areas[triangle] > 0.0f)) return false;
+    const uvec3 corners = skin.triangles[triangle];
+    if (search.facing != vec3(0.0f) && !(glm::dot(hairNormal(skin, corners), search.facing) > 0.0f))
+        return false;
+    const glm::dvec3 a = glm::dvec3(skin.vertices[corners.x].position) - search.point;
+    const glm::dvec3 b = glm::dvec3(skin.vertices[corners.y].position) - search.point;
+    const glm::dvec3 c = glm::dvec3(skin.vertices[corners.z].position) - search.point;
+    const Weights weights = nearestInTriangle(a, b, c);
+    const glm::dvec3 away = a + weights.u * (b - a) + weights.v * (c - a);
+    const double square = glm::dot(away, away);
+    if (!(square < search.square || (square == search.square && triangle < search.triangle)))
+        return false;
+    search.square = square;
+    search.triangle = triangle;
+    search.weights = weights;
+    arguments->query->radius = std::min(static_cast<float>(std::sqrt(square)) * kSlack, kFarthest);
+    return true;
+}
+
 }  // namespace
 
 struct SkinQuery::Scenes {
     std::shared_ptr<const Skin> skin;
-    std::vector<uint> used;  // vertices that triangles name, rising; cut into runs of kRun
-    std::vector<Box> boxes;  // m, one per run
+    std::vector<uint> used;      // vertices that triangles name, rising; cut into runs of kRun
+    std::vector<Box> boxes;      // m, one per run
+    std::vector<uint> fanFirst;  // fan of vertex v: fans[fanFirst[v]] up to fans[fanFirst[v + 1]]
+    std::vector<uvec2> fans;
     RTCDevice device = nullptr;
     RTCScene rays = nullptr, points = nullptr;
 
@@ -103,6 +196,7 @@ struct SkinQuery::Scenes {
 
     void buildRays();
     void buildPoints();
+    void buildFans();
 };
 
 void SkinQuery::Scenes::buildRays() {
@@ -157,17 +251,39 @@ void SkinQuery::Scenes::buildPoints() {
     check(device, "vertex hierarchy");
 }
 
+// A triangle that names a vertex twice is no way to anywhere but along its one edge.
+void SkinQuery::Scenes::buildFans() {
+    fanFirst.assign(skin->vertices.size() + 2, 0);
+    for (const uvec3 t : skin->triangles)
+        for (int c = 0; c < 3; ++c) ++fanFirst[t[c] + 2];
+    std::partial_sum(fanFirst.begin(), fanFirst.end(), fanFirst.begin());
+    fans.resize(3 * skin->triangles.size());
+    for (const uvec3 t : skin->triangles)
+        for (int c = 0; c < 3; ++c) fans[fanFirst[t[c] + 1]++] = {t[(c + 1) % 3], t[(c + 2) % 3]};
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, skin->vertices.size(), 4096),
+                      [&](const auto& range) {
+                          for (std::size_t v = range.begin(); v < range.end(); ++v)
+                              chain({fans.data() + fanFirst[v], fans.data() + fanFirst[v + 1]});
+                      });
+}
+
 SkinQuery::SkinQuery(std::shared_ptr<const Skin> skin)
     : scenes_(std::make_unique<Scenes>(std::move(skin))) {
     scenes_->device = rtcNewDevice(nullptr);
     if (!scenes_->device) throw std::runtime_error("cannot start Embree: no device");
     scenes_->buildRays();
     scenes_->buildPoints();
+    scenes_->buildFans();
 }
 
 SkinQuery::~SkinQuery() = default;
 SkinQuery::SkinQuery(SkinQuery&&) noexcept = default;
 SkinQuery& SkinQuery::operator=(SkinQuery&&) noexcept = default;
+
+std::span<const uvec2> SkinQuery::fan(uint v) const {
+    const uvec2* fans = scenes_->fans.data();
+    return {fans + scenes_->fanFirst[v], fans + scenes_->fanFirst[v + 1]};
+}
 
 const Skin& SkinQuery::skin() const { return *scenes_->skin; }
 
@@ -201,11 +317,36 @@ std::optional<SkinHit> SkinQuery::cast(vec3 origin, vec3 direction) const {
     const vec3 b = skin().vertices[corners.y].position;
     const vec3 c = skin().vertices[corners.z].position;
     hit.position = (1.0f - hit.u - hit.v) * a + hit.u * b + hit.v * c;
-    // In double: the squared area of a small triangle is far below the range of float.
-    const glm::dvec3 across =
-        glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
-    hit.normal = vec3(glm::normalize(across));
+    hit.normal = faceNormal(skin(), corners);
     if (glm::dot(hit.normal, direction) > 0.0f) hit.normal = -hit.normal;
+    return hit;
+}
+
+std::optional<SkinHit> SkinQuery::nearest(vec3 point, vec3 facing) const {
+    if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z))
+        return std::nullopt;
+    NearestSearch search{&skin(), glm::dvec3(point), facing};
+    RTCPointQuery query{};
+    query.x = point.x;
+    query.y = point.y;
+    query.z = point.z;
+    query.radius = kFarthest;
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    rtcPointQuery(scenes_->rays, &query, &context, noteNearest, &search);
+    if (!(search.square < std::numeric_limits<double>::infinity())) return std::nullopt;
+
+    SkinHit hit;
+    hit.triangle = search.triangle;
+    hit.u = static_cast<float>(search.weights.u);
+    hit.v = static_cast<float>(search.weights.v);
+    hit.distance = static_cast<float>(std::sqrt(search.square));
+    const uvec3 corners = skin().triangles[hit.triangle];
+    const glm::dvec3 a(skin().vertices[corners.x].position);
+    const glm::dvec3 b(skin().vertices[corners.y].position);
+    const glm::dvec3 c(skin().vertices[corners.z].position);
+    hit.position = vec3(a + search.weights.u * (b - a) + search.weights.v * (c - a));
+    hit.normal = hairNormal(skin(), corners);
     return hit;
 }
 

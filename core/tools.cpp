@@ -12,31 +12,31 @@ namespace {
 
 constexpr std::array<ToolInfo, kToolCount> kTools{{
     {Tool::length, "length", "Length", "Grows, shortens or sets the length of the hair.", "Add",
-     "Subtract", true, true, false, 0.0f, 0.5f},
+     "Subtract", true, true, true, false, 0.0f, 0.5f},
     {Tool::cut, "cut", "Cut", "Shortens longer hair to a length; shorter hair stays.", nullptr,
-     nullptr, true, true, false, 0.0f, 0.5f},
+     nullptr, true, false, true, false, 0.0f, 0.5f},
     {Tool::density, "density", "Density", "Changes how many of the hairs grow.", "Add", "Subtract",
-     true, false, false, 0.0f, 1.0f},
+     true, true, false, false, 0.0f, 1.0f},
     {Tool::comb, "comb", "Comb", "Lays the hair along the stroke and keeps its length.", "Along",
-     "Against", false, false, false, 0.0f, 1.0f},
+     "Against", false, false, false, false, 0.0f, 1.0f},
     {Tool::part, "part", "Part", "Lays the hair away from the stroke on both sides.", "Away",
-     "Towards", false, false, true, 0.0f, 1.0f},
+     "Towards", false, false, false, true, 0.0f, 1.0f},
     {Tool::twist, "twist", "Twist", "Turns the hair about the normal, a quarter turn at most.",
-     "Left", "Right", false, false, false, 0.0f, 1.0f},
+     "Left", "Right", false, false, false, false, 0.0f, 1.0f},
     {Tool::clump, "clump", "Clump", "Gathers the hair over the middle of the stroke.", "Gather",
-     "Spread", false, false, true, 0.0f, 1.0f},
+     "Spread", false, false, false, true, 0.0f, 1.0f},
     {Tool::puff, "puff", "Puff", "Makes the hair stand up.", "Up", "Down", false, false, false,
-     0.0f, 1.0f},
+     false, 0.0f, 1.0f},
     {Tool::flatten, "flatten", "Flatten", "Lays the hair down the way it leans.", "Down", "Up",
-     false, false, false, 0.0f, 1.0f},
+     false, false, false, false, 0.0f, 1.0f},
     {Tool::smooth, "smooth", "Smooth", "Evens out length, density, direction and tint.", nullptr,
-     nullptr, false, false, false, 0.0f, 1.0f},
-    {Tool::tint, "tint", "Tint", "Colors the hair.", "Color", "Clear", false, false, false, 0.0f,
-     1.0f},
+     nullptr, false, false, false, false, 0.0f, 1.0f},
+    {Tool::tint, "tint", "Tint", "Colors the hair.", "Color", "Clear", false, false, false, false,
+     0.0f, 1.0f},
     {Tool::mask, "mask", "Mask", "Protects hair from the other brushes.", "Add", "Subtract", true,
-     false, false, 0.0f, 1.0f},
+     false, false, false, 0.0f, 1.0f},
 }};
-constexpr std::array<const char*, 3> kModes{"add", "subtract", "set"};
+constexpr std::array<const char*, 4> kModes{"add", "subtract", "set", "scale"};
 constexpr std::array<const char*, 4> kFalloffs{"smooth", "linear", "sharp", "constant"};
 
 constexpr float kLengthStep =
@@ -46,13 +46,15 @@ constexpr float kMiddle = 0.1f;        // of the radius, where part and clump fa
 constexpr float kQuarterTurn = 0.5f * std::numbers::pi_v<float>;
 
 float changed(float before, const Brush& brush, float share, float step, float value) {
-    switch (brush.mode) {
+    switch (modeOf(brush)) {
         case Mode::add:
             return before + share * step;
         case Mode::subtract:
             return before - share * step;
         case Mode::set:
             return glm::mix(before, value, share);
+        case Mode::scale:
+            return before * (1.0f + share * (brush.factor - 1.0f));
     }
     return before;
 }
@@ -62,16 +64,6 @@ float lengthAfter(const Skin& skin, float before, const Brush& brush, uint v, fl
     const float step = kLengthStep * skin.size() / scale;
     const float after = changed(before, brush, share, step, brush.value / scale);
     return std::isfinite(after) ? std::clamp(after, 0.0f, kGreatestLength) : before;
-}
-
-// The path without its part along the normal, unit, or zero where nothing is left of it.
-vec3 onTangentPlane(vec3 path, vec3 normal) {
-    const float length = glm::length(path);
-    if (!(length > 0.0f) || !std::isfinite(length)) return vec3(0.0f);
-    path /= length;
-    path -= normal * glm::dot(path, normal);
-    const float left = glm::length(path);
-    return left > 1e-3f ? path / left : vec3(0.0f);
 }
 
 float cutTo(const Skin& skin, float before, const Brush& brush, uint v, float share) {
@@ -201,6 +193,24 @@ vec3 shortened(vec3 direction) {
     return length > 1.0f ? direction / length : direction;
 }
 
+vec3 onTangentPlane(vec3 vector, vec3 normal) {
+    const float length = glm::length(vector);
+    if (!(length > 0.0f) || !std::isfinite(length)) return vec3(0.0f);
+    vector /= length;
+    vector -= normal * glm::dot(vector, normal);
+    const float left = glm::length(vector);
+    return left > 1e-3f ? vector / left : vec3(0.0f);
+}
+
+Mode modeOf(const Brush& brush) {
+    const ToolInfo& tool = toolInfo(brush.tool);
+    if (!tool.add) return tool.hasSet ? Mode::set : Mode::add;
+    const bool offered = brush.mode == Mode::set     ? tool.hasSet
+                         : brush.mode == Mode::scale ? tool.hasScale
+                                                     : true;
+    return offered ? brush.mode : Mode::add;
+}
+
 float workingRadius(const Skin& skin, const Brush& brush) {
     return std::max(brush.radius, kLeastRadius * skin.size());
 }
@@ -208,9 +218,10 @@ float workingRadius(const Skin& skin, const Brush& brush) {
 FurVertex heldBack(FurVertex after, const FurVertex& before, float held) {
     if (held <= 0.0f) return after;
     if (held >= 1.0f) return before;
-    after.furLength = glm::mix(after.furLength, before.furLength, held);
-    after.density = glm::mix(after.density, before.density, held);
-    after.direction = glm::mix(after.direction, before.direction, held);
+    // Differences, so that what did not change keeps its bits.
+    after.furLength += held * (before.furLength - after.furLength);
+    after.density += held * (before.density - after.density);
+    after.direction += held * (before.direction - after.direction);
     after.tint += held * (before.tint - after.tint);
     return after;
 }

@@ -13,6 +13,9 @@ inline constexpr float kFloodReach =
 // The direction, at most as long as 1.
 vec3 shortened(vec3 direction);
 
+// The part of a vector in the tangent plane, as a unit vector; zero where nothing is left of it.
+vec3 onTangentPlane(vec3 vector, vec3 normal);
+
 // How hard a tool works at a vertex.
 struct Touching {
     float coverage = 0.0f;  // [0,1] of the brush, without its strength
@@ -22,13 +25,18 @@ struct Touching {
     FurVertex around{};  // world; for smooth, the mean around the vertex before (averages.h)
 };
 
+// The brush's mode; where the tool does not offer it set (cut) or add.
+Mode modeOf(const Brush& brush);
+
 // The brush's radius, or 1/1000 of the skin's size where that is more, m.
 float workingRadius(const Skin& skin, const Brush& brush);
 
 // What a vertex holds after the brush. Let c = coverage x strength.
-// Length: grows or shrinks by c x 4 % of the skin's size, or tends to `value` by the share c.
+// Length: grows or shrinks by c x 4 % of the skin's size, or tends by the share c to `value` or to
+// `factor` times what it was.
 // Cut: tends to `value` by the share c where the hair is longer; never lengthens.
-// Density and mask: up or down by c, or tends to `value`; kept in [0,1].
+// Density and mask: up or down by c, or tends to `value` (density: or to `factor` times what it
+// was); kept in [0,1].
 // Comb: the direction tends by the share c to the path (subtract: against it) laid onto the tangent
 // plane, at full magnitude; the length stays.
 // Part: the direction tends by the share c to point away from the path (subtract: towards it) in

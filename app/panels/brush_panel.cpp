@@ -1,4 +1,5 @@
 // brush_panel.cpp -- the left column: the tools and the brush.
+#include <algorithm>
 #include <cstdio>
 #include <span>
 #include <string>
@@ -37,10 +38,35 @@ void toolButton(App& app, const ToolInfo& info, float width) {
 void drawModes(App& app, Brush& brush) {
     const ToolInfo& info = toolInfo(brush.tool);
     if (!info.add) return;
-    const char* labels[] = {info.add, info.subtract, "Set"};
-    const std::span shown(labels, info.hasSet ? 3u : 2u);
+    const char* labels[] = {info.add, info.subtract, "Set", "Scale"};  // in the order of Mode
+    const std::span shown(labels, info.hasScale ? 4u : info.hasSet ? 3u : 2u);
     if (const auto mode = choiceRow(uiOf(app), "mode", shown, static_cast<int>(brush.mode)))
         brush.mode = static_cast<Mode>(*mode);
+}
+
+// In the unit in which it is kept, on the skin or on the screen.
+void drawRadius(App& app, LengthUnit unit, const char* format) {
+    if (!app.isOpen()) return;
+    const Ui ui = uiOf(app);
+    const bool screen = app.session.hand.screenRadius;
+    const float scale = screen ? 1.0f : app.skin().size() * unit.perMetre;
+    Number number{.least = screen ? kLeastScreenRadius : kSmallestRadius * scale,
+                  .greatest = screen ? kMostScreenRadius : kLargestRadius * scale,
+                  .fallback = screen ? Hand().radius : kFirstRadius * scale,
+                  .format = screen ? "%.0f px" : format,
+                  .logarithmic = true,
+                  .help = "Radius of the brush. [ and ] or F."};
+    const float perUnit = screen ? 1.0f : unit.perMetre;
+    rowLabel(ui, "Radius");
+    const float button = app.theme.px(30), gap = app.theme.px(3);
+    ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - button - gap);
+    if (const auto radius = numberBar(ui, "##radius", radiusInUnit(app) * perUnit, number))
+        setRadiusInUnit(app, *radius / perUnit);
+    ImGui::SameLine(0.0f, gap);
+    ImGui::PushStyleColor(ImGuiCol_Button, screen ? color::kAccentDeep : color::kFrame);
+    if (ImGui::Button("px", {button, 0.0f})) chooseScreenRadius(app, !screen);
+    ImGui::PopStyleColor();
+    tip(ui, "The radius stays the same on the screen, however near you are, and not on the skin.");
 }
 
 void drawNumbers(App& app, Brush& brush) {
@@ -49,15 +75,7 @@ void drawNumbers(App& app, Brush& brush) {
     const LengthUnit unit = unitFor(size);
     char format[24];
     std::snprintf(format, sizeof format, "%%.2f %s", unit.name);
-    if (const auto radius = numberRow(ui, "Radius", brush.radius * unit.perMetre,
-                                      {.least = kSmallestRadius * size * unit.perMetre,
-                                       .greatest = kLargestRadius * size * unit.perMetre,
-                                       .fallback = kFirstRadius * size * unit.perMetre,
-                                       .format = format,
-                                       .logarithmic = true,
-                                       .help = "Radius of the brush on the skin. [ and ] or F."});
-        radius && app.isOpen())
-        setRadius(app.session, app.skin(), *radius / unit.perMetre);
+    drawRadius(app, unit, format);
     if (const auto strength = numberRow(ui, "Strength", brush.strength,
                                         {.least = 0.01f,
                                          .fallback = 0.5f,
@@ -79,6 +97,16 @@ void drawNumbers(App& app, Brush& brush) {
         if (const auto picked = parameterRow(ui, kColor, brush.color, vec3(1.0f), size))
             brush.color = glm::clamp(*picked, vec3(0.0f), vec3(1.0f));
     }
+    if (brush.mode == Mode::scale && info.hasScale) {
+        if (const auto factor = numberRow(ui, "Factor", brush.factor,
+                                          {.least = 0.0f,
+                                           .greatest = 2.0f,
+                                           .fallback = 0.5f,
+                                           .format = "x %.2f",
+                                           .help = "What Scale multiplies by."}))
+            brush.factor = std::clamp(*factor, 0.0f, kGreatestFactor);
+        return;
+    }
     if (!info.hasSet) return;
     const bool length = info.ofLength;
     const float scale = length ? unit.perMetre : 1.0f;
@@ -97,7 +125,6 @@ void drawNumbers(App& app, Brush& brush) {
 
 void drawFlood(App& app, const Brush& brush) {
     const Ui ui = uiOf(app);
-    const float width = ImGui::GetContentRegionAvail().x;
     if (brush.tool == Tool::comb) {
         constexpr const char* kNames[] = {"Backward", "Forward", "Down", "Up", "Left", "Right"};
         constexpr vec3 kDirections[] = {{0, 0, -1}, {0, 0, 1}, {0, -1, 0},
@@ -109,14 +136,20 @@ void drawFlood(App& app, const Brush& brush) {
         if (const auto other = choiceList(ui, "##direction", kNames, chosen))
             app.session.floodDirection = kDirections[*other];
     }
-    constexpr struct {
-        const char *name, *label;
-    } kButtons[] = {{"brush.flood", "Flood the entire skin"}, {"brush.reset", "Reset"}};
-    for (const auto& [name, label] : kButtons) {
-        const Action& action = actionNamed(name);
-        ImGui::BeginDisabled(!isEnabled(app, action));
-        if (plainButton(ui, label, width)) perform(app, action);
-        ImGui::EndDisabled();
+    constexpr const char* kButtons[] = {"brush.flood", "brush.reset"};
+    actionButtons(app, kButtons, 2);
+    drawGradient(app);
+}
+
+void drawMirror(App& app) {
+    const Ui ui = uiOf(app);
+    rowLabel(ui, "Mirror");
+    constexpr const char* kNames[] = {"brush.mirror", "brush.mirrorY", "brush.mirrorZ"};
+    constexpr const char* kAxes[] = {"X", "Y", "Z"};
+    for (int axis = 0; axis < 3; ++axis) {
+        const Action& action = actionNamed(kNames[axis]);
+        if (axis > 0) ImGui::SameLine();
+        if (iconButton(ui, "", kAxes[axis], action.checked(app), true)) perform(app, action);
         tip(ui, action.help);
     }
 }
@@ -145,9 +178,11 @@ void drawBrushPanel(App& app, const Layout& layout) {
     if (const auto other = choiceList(ui, "##falloff", kFalloffs, static_cast<int>(brush.falloff)))
         brush.falloff = static_cast<Falloff>(*other);
     tip(ui, "How the effect fades from the middle of the brush to its edge.");
+    if (brush.tool == Tool::mask) drawMaskButtons(app);
 
     caption(ui, "WHERE");
-    for (const char* name : {"brush.mirror", "brush.facing"}) {
+    drawMirror(app);
+    for (const char* name : {"brush.surface", "brush.facing"}) {
         const Action& action = actionNamed(name);
         bool on = action.checked(app);
         if (toggleRow(ui, action.label, &on, action.help)) perform(app, action);
@@ -158,11 +193,13 @@ void drawBrushPanel(App& app, const Layout& layout) {
     }
     caption(ui, "EVERYWHERE");
     drawFlood(app, brush);
+    drawHandRows(app);
 
     ImGui::Dummy({0, app.theme.px(4)});
     ImGui::PushFont(app.theme.small);
     ImGui::PushStyleColor(ImGuiCol_Text, color::kDim);
-    ImGui::TextWrapped("Ctrl exchanges the two ways of the brush.\nShift smooths.");
+    ImGui::TextWrapped(
+        "Ctrl: the other way. Shift: smooth.\nShift+click: a line from the last stroke.");
     ImGui::PopStyleColor();
     ImGui::PopFont();
     ImGui::End();

@@ -18,6 +18,8 @@ constexpr MouseHelp kMouse[] = {
     {"Left drag", "Paint"},
     {"Ctrl + left drag", "Paint with add and subtract exchanged"},
     {"Shift + left drag", "Smooth"},
+    {"Shift + click", "Paint a line from the end of the last stroke"},
+    {"Hold Z while painting", "A light touch, as of a pen"},
     {"Esc, right click", "Give up the stroke"},
     {"Middle drag, Alt + left drag", "Turn"},
     {"Shift + middle, Alt + middle", "Move"},
@@ -73,7 +75,7 @@ bool beginSheet(App& app, const char* title, bool* open, ImVec2 size) {
 
 void drawHelp(App& app) {
     if (!app.dialogs.help) return;
-    if (beginSheet(app, "Keys and mouse", &app.dialogs.help, {1060, 590}) &&
+    if (beginSheet(app, "Keys and mouse", &app.dialogs.help, {1060, 640}) &&
         ImGui::BeginTable("columns", 3, ImGuiTableFlags_SizingStretchSame)) {
         ImGui::TableNextColumn();
         caption(uiOf(app), "MOUSE");
@@ -87,7 +89,7 @@ void drawHelp(App& app) {
         ImGui::TableNextColumn();
         for (const char* menu : {"Brush", "Edit"}) drawActionKeys(app, menu);
         ImGui::TableNextColumn();
-        for (const char* menu : {"View", "File", "Help"}) drawActionKeys(app, menu);
+        for (const char* menu : {"View", "Mask", "File", "Help"}) drawActionKeys(app, menu);
         ImGui::EndTable();
     }
     ImGui::End();

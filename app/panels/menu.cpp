@@ -60,7 +60,7 @@ void toolbarLine(const App& app) {
 float drawMenu(App& app) {
     if (!ImGui::BeginMainMenuBar()) return 0.0f;
     const float height = ImGui::GetWindowSize().y;
-    for (const char* menu : {"File", "Edit", "Brush", "View", "Help"}) {
+    for (const char* menu : {"File", "Edit", "Brush", "Mask", "View", "Help"}) {
         if (!ImGui::BeginMenu(menu)) continue;
         for (const Action& action : actions()) {
             if (menu != std::string_view(action.menu)) continue;

@@ -1,6 +1,8 @@
 // panels.h -- the panels: one function each, over the App; their state is in the session.
 #pragma once
 
+#include <span>
+
 #include "app/app.h"
 
 namespace pelage {
@@ -15,6 +17,10 @@ struct Layout {
 float drawMenu(App& app);  // its height
 void drawToolbar(App& app, const Layout& layout);
 void drawBrushPanel(App& app, const Layout& layout);
+void drawHandRows(App& app);  // parts of it
+void drawGradient(App& app);
+void drawMaskButtons(App& app);
+void actionButtons(App& app, std::span<const char* const> names, int columns);
 void drawSidePanel(App& app, const Layout& layout);  // tabs: coats, view, history, body, regions
 void drawCoats(App& app);
 void drawRegions(App& app);

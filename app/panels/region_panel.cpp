@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/actions.h"
 #include "app/panels/panels.h"
 
 namespace pelage {
@@ -38,6 +39,15 @@ void drawCenter(App& app, Region& region) {
             region.center[i] = *value / unit.perMetre;
 }
 
+// Begins a job of the left button, or gives it up.
+void jobButton(App& app, const char* label, Job job, const char* help) {
+    const bool on = app.session.hand.job == job;
+    if (on) ImGui::PushStyleColor(ImGuiCol_Button, color::kAccentDeep);
+    if (plainButton(uiOf(app), label, ImGui::GetContentRegionAvail().x)) toggleJob(app, job);
+    if (on) ImGui::PopStyleColor();
+    tip(uiOf(app), help);
+}
+
 // Which segment; false when there is none.
 bool drawSegments(App& app, Region& region) {
     std::vector<const char*> names;
@@ -59,14 +69,23 @@ bool drawSegments(App& app, Region& region) {
 // Where; false when there is no such place on this animal.
 bool drawWhere(App& app, Region& region) {
     const Ui ui = uiOf(app);
-    // In the order of Where. A lasso is drawn by script only.
-    constexpr const char* kPlaces[] = {"Everywhere",   "Sphere",      "Box",        "Body segment",
-                                       "Painted mask", "Narrow skin", "Curved skin"};
+    // In the order of Where.
+    constexpr const char* kPlaces[] = {"Everywhere",   "Sphere",      "Box",         "Body segment",
+                                       "Painted mask", "Narrow skin", "Curved skin", "Lasso"};
     if (const auto other = choiceList(ui, "##where", kPlaces, static_cast<int>(region.where)))
         region.where = static_cast<Where>(*other);
     tip(ui, "The part of the skin whose hair is edited.");
     bool possible = true;
-    if (region.where == Where::sphere || region.where == Where::box) drawCenter(app, region);
+    if (region.where == Where::sphere || region.where == Where::box) {
+        drawCenter(app, region);
+        jobButton(app, "Pick on the skin", Job::center,
+                  "The next click on the skin is the middle of the region.");
+    }
+    if (region.where == Where::lasso) {
+        possible = region.polygon.size() > 2;
+        jobButton(app, possible ? "Draw another lasso" : "Draw a lasso", Job::lasso,
+                  "Drag around hair on the picture; hair that faces away is left alone.");
+    }
     if (region.where == Where::sphere)
         sizeRow(app, "Radius", region.radius, 1.0f, "Radius of the sphere.");
     if (region.where == Where::box) {
@@ -88,7 +107,14 @@ bool drawWhere(App& app, Region& region) {
             region.curvature = *value;
     }
     if (region.where == Where::all) return true;
-    if (region.where != Where::curved) {
+    if (region.where == Where::lasso) {
+        if (const auto value = numberRow(ui, "Falloff", region.falloff,
+                                         {.greatest = 0.5f,
+                                          .format = "%.2f",
+                                          .help = "Width over which the effect fades outside, in "
+                                                  "halves of the picture's height."}))
+            region.falloff = *value;
+    } else if (region.where != Where::curved) {
         sizeRow(app, "Falloff", region.falloff, 0.3f, "Width over which the effect fades outside.");
     } else if (const auto value = numberRow(ui, "Falloff", region.falloff,
                                             {.greatest = 100.0f,
@@ -172,6 +198,7 @@ void drawWhat(App& app, RegionEdit& change) {
 
 void drawRegions(App& app) {
     const Ui ui = uiOf(app);
+    app.session.regionShown = true;
     caption(ui, "WHERE");
     const bool possible = drawWhere(app, app.session.region);
     caption(ui, "WHAT");
@@ -179,8 +206,11 @@ void drawRegions(App& app) {
     ImGui::Dummy({0, app.theme.px(4)});
     ImGui::BeginDisabled(!possible);
     if (primaryButton(ui, "Apply", ImGui::GetContentRegionAvail().x)) editRegion(app);
-    ImGui::EndDisabled();
     tip(ui, "Edits the hair of the region. A step that can be undone.");
+    const Action& mask = actionNamed("mask.region");
+    if (plainButton(ui, "Mask the region", ImGui::GetContentRegionAvail().x)) perform(app, mask);
+    tip(ui, mask.help);
+    ImGui::EndDisabled();
 }
 
 }  // namespace pelage

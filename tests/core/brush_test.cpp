@@ -36,7 +36,7 @@ TEST(Falloff, IsOneInTheMiddleAndZeroFromTheRadiusOn) {
 TEST(Tools, TableIsInTheOrderOfTheTools) {
     ASSERT_EQ(tools().size(), kAllTools.size());
     for (const Tool tool : kAllTools) EXPECT_EQ(toolInfo(tool).tool, tool);
-    EXPECT_EQ(modeNames().size(), 3u);
+    EXPECT_EQ(modeNames().size(), 4u);
     EXPECT_EQ(falloffNames().size(), 4u);
 }
 

@@ -40,13 +40,15 @@ std::string errorOf(Workspace& workspace, std::string_view line) {
 Brush randomBrush(Draws& draws) {
     Brush brush;
     brush.tool = static_cast<Tool>(draws.below(kToolCount));
-    brush.mode = static_cast<Mode>(draws.below(3));
+    brush.mode = static_cast<Mode>(draws.below(4));
     brush.falloff = static_cast<Falloff>(draws.below(4));
     brush.radius = draws.in(0.05f, 0.8f);
     brush.strength = draws.in(0.0f, 1.0f);
     brush.value = draws.in(0.0f, 1.0f);
     brush.color = 0.5f + draws.inBox(0.5f);
-    brush.mirrorX = draws.below(2);
+    brush.mirror = {draws.below(2), draws.below(2), draws.below(2)};
+    brush.factor = draws.in(0.0f, 3.0f);
+    brush.alongSurface = draws.below(3) > 0;
     brush.facingOnly = draws.below(3) > 0;
     return brush;
 }
@@ -55,10 +57,11 @@ Brush randomBrush(Draws& draws) {
 std::string strokeByHand(Workspace& workspace, Draws& draws) {
     auto place = [&] { return glm::normalize(draws.inBox(1.0f) + vec3(0.0f, 0.01f, 0.0f)); };
     vec3 at = place();
-    workspace.press(randomBrush(draws), at, at);
+    const bool pen = draws.below(2);
+    workspace.press(randomBrush(draws), at, at, pen ? draws.in(0.0f, 1.0f) : 1.0f);
     for (uint i = 0, moves = draws.below(8); i < moves; ++i) {
         at = glm::normalize(at + 0.3f * draws.inBox(1.0f));
-        workspace.drag(at, at);
+        workspace.drag(at, at, pen ? draws.in(0.0f, 1.0f) : 1.0f);
     }
     return workspace.release();
 }

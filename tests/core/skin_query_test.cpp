@@ -119,15 +119,114 @@ TEST(SkinQuery, DegenerateTrianglesAreNeverMet) {
     EXPECT_FALSE(none.cast({0.5f, 1.0f, 0.0f}, {0.0f, -1.0f, 0.0f}));
 }
 
+// The distance from a point to the skin, by trying every triangle at many places.
+float slowDistance(const Skin& skin, vec3 point) {
+    constexpr int kParts = 40;
+    float least = INFINITY;
+    for (const uvec3 t : skin.triangles)
+        for (int i = 0; i <= kParts; ++i)
+            for (int k = 0; i + k <= kParts; ++k) {
+                const float u = static_cast<float>(i) / kParts, v = static_cast<float>(k) / kParts;
+                const vec3 there = (1.0f - u - v) * skin.vertices[t.x].position +
+                                   u * skin.vertices[t.y].position +
+                                   v * skin.vertices[t.z].position;
+                least = std::min(least, glm::distance(point, there));
+            }
+    return least;
+}
+
+TEST(SkinQuery, NearestIsTheNearestPointOfTheSkinWithItsNormal) {
+    const auto skin = makeSkin(test::ball(1));
+    const SkinQuery query(skin);
+    Draws draws(3);
+    for (int i = 0; i < 100; ++i) {
+        const vec3 point = draws.inBox(1.5f);
+        const auto hit = query.nearest(point);
+        ASSERT_TRUE(hit);
+        const float slow = slowDistance(*skin, point);
+        EXPECT_LE(hit->distance, slow + 1e-6f);
+        EXPECT_GE(hit->distance, slow - 0.02f);
+        EXPECT_NEAR(glm::distance(point, hit->position), hit->distance, 1e-6f);
+        const uvec3 t = skin->triangles[hit->triangle];
+        const vec3 there = (1.0f - hit->u - hit->v) * skin->vertices[t.x].position +
+                           hit->u * skin->vertices[t.y].position +
+                           hit->v * skin->vertices[t.z].position;
+        EXPECT_LT(glm::distance(there, hit->position), 1e-6f);
+        EXPECT_NEAR(glm::length(hit->normal), 1.0f, 1e-6f);
+        EXPECT_GT(glm::dot(hit->normal, there), 0.0f);  // outside, also for a point inside
+    }
+}
+
+TEST(SkinQuery, NearestOfAVertexAndOfAPointOfAFaceIsItself) {
+    const auto skin = makeSkin(test::ball(3));
+    const SkinQuery query(skin);
+    for (const SkinVertex& vertex : skin->vertices)
+        EXPECT_LT(glm::distance(query.nearest(vertex.position)->position, vertex.position), 1e-7f);
+    for (const uvec3 t : skin->triangles) {
+        const vec3 middle = (skin->vertices[t.x].position + skin->vertices[t.y].position +
+                             skin->vertices[t.z].position) /
+                            3.0f;
+        EXPECT_EQ(skin->triangles[query.nearest(middle)->triangle], t);
+    }
+}
+
+TEST(SkinQuery, NearestThatFacesAWayFindsThatSideOfAThinSheet) {
+    const SkinQuery query(makeSkin(test::twoSheets(10, 0.004f)));
+    for (const float y : {-0.01f, -0.001f, 0.001f, 0.01f}) {
+        const vec3 point(0.13f, y, 0.07f);
+        EXPECT_GT(query.nearest(point, {0, 1, 0})->position.y, 0.0f);
+        EXPECT_LT(query.nearest(point, {0, -1, 0})->position.y, 0.0f);
+        EXPECT_EQ(query.nearest(point)->position.y > 0.0f, y > 0.0f);
+    }
+    EXPECT_FALSE(query.nearest(vec3(0.0f), {1, 0, 0}));
+}
+
+TEST(SkinQuery, OfEquallyNearTrianglesTheFirstIsNearest) {
+    const auto skin = makeSkin(
+        test::oneMesh({{-1, 0, -1}, {0, 0, 1}, {1, 0, -1}}, {{0, 1, 2}, {0, 2, 1}, {0, 1, 2}}));
+    const SkinQuery query(skin);
+    for (const float height : {-1.0f, 0.0f, 2.0f})
+        EXPECT_EQ(query.nearest({0.1f, height, 0.0f})->triangle, 0u);
+}
+
+TEST(SkinQuery, DegenerateTrianglesAreNeverNearest) {
+    const SkinQuery query(makeSkin(
+        test::oneMesh({{-1, 1, 0}, {0, 1, 0}, {1, 1, 0}, {-1, 0, -1}, {0, 0, 1}, {1, 0, -1}},
+                      {{0, 1, 2}, {0, 1, 1}, {3, 4, 5}})));
+    for (const vec3 point : {vec3(0, 2, 0), vec3(0.1f, 1, 0), vec3(5, 5, 5)})
+        EXPECT_EQ(query.nearest(point)->triangle, 2u);
+    const SkinQuery none(makeSkin(test::oneMesh({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}})));
+    EXPECT_FALSE(none.nearest({0.5f, 1.0f, 0.0f}));
+}
+
+TEST(SkinQuery, NearestWorksFarFromTheOriginAndFarFromTheSkin) {
+    const mat4 moved = [] {
+        mat4 matrix(1.0f);
+        matrix[3] = {1e4f, -2e4f, 5e3f, 1.0f};
+        return matrix;
+    }();
+    const SkinQuery query(makeSkin(test::sheet(8, moved)));
+    const auto above = query.nearest({1e4f + 0.25f, -2e4f + 100.0f, 5e3f});
+    ASSERT_TRUE(above);
+    EXPECT_NEAR(above->distance, 100.0f, 1e-3f);
+    EXPECT_LT(glm::distance(above->position, {1e4f + 0.25f, -2e4f, 5e3f}), 1e-2f);
+    const auto origin = query.nearest(vec3(0.0f));
+    ASSERT_TRUE(origin);
+    EXPECT_LT(glm::distance(origin->position, {1e4f - 0.5f, -2e4f, 5e3f - 0.5f}), 1e-2f);
+}
+
 TEST(SkinQuery, EmptySkinAndNonsenseRaysHitNothing) {
     const SkinQuery empty(makeSkin(test::oneMesh({}, {})));
     std::vector<uint> found;
     empty.within(vec3(0.0f), 1.0f, found);
     EXPECT_TRUE(found.empty());
     EXPECT_FALSE(empty.cast(vec3(0.0f), vec3(0.0f, 0.0f, 1.0f)));
+    EXPECT_FALSE(empty.nearest(vec3(0.0f)));
     const SkinQuery query(makeSkin(test::sheet(2)));
     EXPECT_FALSE(query.cast({0.0f, 1.0f, 0.0f}, vec3(0.0f)));
     EXPECT_FALSE(query.cast({0.0f, 1.0f, 0.0f}, vec3(NAN)));
+    EXPECT_FALSE(query.nearest(vec3(0.0f, NAN, 0.0f)));
+    EXPECT_FALSE(query.nearest(vec3(INFINITY)));
     query.within(vec3(0.0f), NAN, found);
     EXPECT_TRUE(found.empty());
 }

@@ -114,7 +114,7 @@ TEST(Stroke, MirrorIsSymmetric) {
     }
     for (const Tool tool : kAllTools) {
         Brush brush = brushOf(tool, Mode::add, 0.4f);
-        brush.mirrorX = true;
+        brush.mirror.x = true;
         Groom after = canvas.groom;
         Stroke stroke(canvas.query, canvas.groom, brush);
         for (int i = 0; i < 8; ++i) {  // crosses the plane of symmetry
@@ -143,6 +143,7 @@ TEST(Stroke, OtherSideOfThinSheetIsUntouched) {
             canvas.painted(brushOf(tool), straight({-0.3f, 0.002f, 0}, {0.3f, 0.002f, 0}, 3));
         Brush through = brushOf(tool);
         through.facingOnly = false;
+        through.alongSurface = false;
         const Groom both =
             canvas.painted(through, straight({-0.3f, 0.002f, 0}, {0.3f, 0.002f, 0}, 3));
         std::size_t top = 0, bottom = 0;
@@ -200,12 +201,14 @@ TEST(Stroke, ValuesStayInRangeWhateverIsPainted) {
     Canvas canvas(test::ball(3));
     Draws draws(8);
     for (int i = 0; i < 200; ++i) {
-        Brush brush = brushOf(kAllTools[draws.below(kToolCount)], static_cast<Mode>(draws.below(3)),
+        Brush brush = brushOf(kAllTools[draws.below(kToolCount)], static_cast<Mode>(draws.below(4)),
                               draws.in(1e-8f, i % 7 ? 0.8f : 5e5f), draws.in(0.0f, 1.0f));
         brush.falloff = static_cast<Falloff>(draws.below(4));
         brush.color = 0.5f + draws.inBox(0.5f);
         brush.value = i % 5 ? draws.in(0.0f, 1.0f) : 1e6f;
-        brush.mirrorX = draws.below(2);
+        brush.mirror = {draws.below(2), draws.below(2), draws.below(2)};
+        brush.factor = draws.in(0.0f, 10.0f);
+        brush.alongSurface = draws.below(2);
         brush.facingOnly = draws.below(2);
         Stroke stroke(canvas.query, canvas.groom, brush);
         for (int k = 0; k < 4; ++k) stroke.dab(canvas.groom, draws.inBox(1.1f), draws.inBox(1.0f));

@@ -76,7 +76,7 @@ TEST(StrokeTools, APartByASingleDabIsAWhorl) {
 TEST(StrokeTools, TwistOfAMirroredStrokeTurnsTheOtherWayOnTheOtherSide) {
     const Lane lane;
     Brush brush = brushOf(Tool::twist);
-    brush.mirrorX = true;
+    brush.mirror.x = true;
     const Groom after = lane.painted(brush, {{0.25f, 0.0f, 0.0f}});
     for (uint v = 0; v < lane.skin->vertices.size(); ++v) {
         const vec3 p = lane.skin->vertices[v].position;

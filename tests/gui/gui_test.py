@@ -143,7 +143,9 @@ class Editor:
         self.complaints.close()
 
 
-class EditorInAWindow(unittest.TestCase):
+class WindowTest(unittest.TestCase):
+    """A display, a home of its own, and a mesh."""
+
     def setUp(self):
         self.display = Display()
         self.addCleanup(self.display.close)
@@ -181,6 +183,8 @@ class EditorInAWindow(unittest.TestCase):
         subprocess.run(["import", "-window", "root", os.path.join(OUT, name)],
                        env=dict(os.environ, DISPLAY=self.display.name), check=True)
 
+
+class EditorInAWindow(WindowTest):
     def test_a_painted_stroke_is_undone_redone_saved_and_read_again(self):
         editor = self.start(self.mesh)
         editor.ready()
