@@ -208,8 +208,7 @@ std::optional<vec3> parameterRow(Ui ui, const Parameter& row, vec3 value, vec3 f
         if (resetClicked()) changed = fallback;
     } else if (row.kind == ParameterKind::choice) {
         rowLabel(ui, row.label);
-        if (const auto chosen =
-                choiceList(ui, "##choice", row.choices, static_cast<int>(value.x)))
+        if (const auto chosen = choiceList(ui, "##choice", row.choices, static_cast<int>(value.x)))
             changed = vec3(static_cast<float>(*chosen), 0.0f, 0.0f);
         tip(ui, row.help);
     } else if (row.unit == std::string_view("m")) {
@@ -248,7 +247,14 @@ std::optional<int> choiceRow(Ui ui, const char* id, std::span<const char* const>
     std::optional<int> clicked;
     const float gap = ui.theme.px(2);
     const float count = static_cast<float>(labels.size());
-    const float width = (ImGui::GetContentRegionAvail().x - gap * (count - 1.0f)) / count;
+    const float all = ImGui::GetContentRegionAvail().x - gap * (count - 1.0f);
+    float longest = 0.0f, sum = 0.0f;  // of the labels
+    for (const char* label : labels) {
+        const float text = ImGui::CalcTextSize(label).x;
+        longest = std::max(longest, text);
+        sum += text;
+    }
+    const bool equal = longest <= all / count;
     ImGui::PushID(id);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, ImGui::GetStyle().ItemSpacing.y});
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
@@ -257,7 +263,10 @@ std::optional<int> choiceRow(Ui ui, const char* id, std::span<const char* const>
         const bool on = i == chosen;
         if (on) ImGui::PushStyleColor(ImGuiCol_Button, color::kAccentDeep);
         if (on) ImGui::PushStyleColor(ImGuiCol_ButtonHovered, color::kAccentDeep);
-        if (ImGui::Button(labels[static_cast<std::size_t>(i)], {width, 0}) && !on) clicked = i;
+        const char* label = labels[static_cast<std::size_t>(i)];
+        const float width =
+            equal ? all / count : ImGui::CalcTextSize(label).x + (all - sum) / count;
+        if (ImGui::Button(label, {width, 0}) && !on) clicked = i;
         if (on) ImGui::PopStyleColor(2);
     }
     ImGui::PopStyleVar(2);
