@@ -250,7 +250,14 @@ std::optional<int> choiceRow(Ui ui, const char* id, std::span<const char* const>
     std::optional<int> clicked;
     const float gap = ui.theme.px(2);
     const float count = static_cast<float>(labels.size());
-    const float width = (ImGui::GetContentRegionAvail().x - gap * (count - 1.0f)) / count;
+    const float all = ImGui::GetContentRegionAvail().x - gap * (count - 1.0f);
+    float longest = 0.0f, sum = 0.0f;  // of the labels
+    for (const char* label : labels) {
+        const float text = ImGui::CalcTextSize(label).x;
+        longest = std::max(longest, text);
+        sum += text;
+    }
+    const bool equal = longest <= all / count;
     ImGui::PushID(id);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, ImGui::GetStyle().ItemSpacing.y});
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
@@ -259,7 +266,10 @@ std::optional<int> choiceRow(Ui ui, const char* id, std::span<const char* const>
         const bool on = i == chosen;
         if (on) ImGui::PushStyleColor(ImGuiCol_Button, color::kAccentDeep);
         if (on) ImGui::PushStyleColor(ImGuiCol_ButtonHovered, color::kAccentDeep);
-        if (ImGui::Button(labels[static_cast<std::size_t>(i)], {width, 0}) && !on) clicked = i;
+        const char* label = labels[static_cast<std::size_t>(i)];
+        const float width =
+            equal ? all / count : ImGui::CalcTextSize(label).x + (all - sum) / count;
+        if (ImGui::Button(label, {width, 0}) && !on) clicked = i;
         if (on) ImGui::PopStyleColor(2);
     }
     ImGui::PopStyleVar(2);

@@ -57,7 +57,8 @@ std::optional<vec3> parameterRow(Ui ui, const Parameter& row, vec3 value, vec3 f
                                  float size);
 
 bool toggleRow(Ui ui, const char* label, bool* on, const char* help);
-// Equal buttons of which one is chosen; the new index when another was clicked.
+// Buttons of which one is chosen, equal where their labels fit; the new index when another was
+// clicked.
 std::optional<int> choiceRow(Ui ui, const char* id, std::span<const char* const> labels,
                              int chosen);
 // Drop-down list over all of the width.

@@ -78,22 +78,23 @@ double Beside::distance(double along) const { return std::sqrt((x - along) * (x 
 
 void PathImage::advance(const SkinQuery& query, const PathPoint& to, bool alongSurface,
                         float radius) {
-    from_ = begun_ ? to_ : to;
-    to_ = to;
-    begun_ = true;
     alongSurface_ = alongSurface;
-    const bool feet = alongSurface && from_.foot && to_.foot;
-    length_ = feet ? glm::distance(from_.foot->position, to_.foot->position)
-                   : glm::distance(from_.position, to_.position);
+    const vec3 end = alongSurface && to.foot ? to.foot->position : to.position;
+    // Farther away the nearest skin is elsewhere all of a sudden, and the image goes on there.
+    const bool goesOn = begun_ && glm::distance(end_, end) <= 2.0f * radius;
+    begun_ = true;
+    from_ = goesOn ? to_ : to;
+    to_ = to;
+    start_ = goesOn ? end_ : end;
+    end_ = end;
+    length_ = glm::distance(start_, end_);
+    heading_ = length_ > 0.0 ? (end_ - start_) / static_cast<float>(length_) : vec3(0.0f);
+    startGap_ = gapOf(from_);
+    endGap_ = gapOf(to_);
     std::swap(fromStart_, fromEnd_);
-    if (length_ > 2.0 * static_cast<double>(radius)) {
-        // The nearest skin is elsewhere all of a sudden: the image goes on there.
-        from_ = to_;
-        length_ = 0.0;
-        fromStart_.clear();
-    }
     fromEnd_.clear();
-    if (!alongSurface || !(gapOf(to_) < static_cast<double>(radius))) return;
+    if (!goesOn) fromStart_.clear();
+    if (!alongSurface || !(endGap_ < static_cast<double>(radius))) return;
     // What is within the radius of a piece is so far from its ends.
     const float reach =
         std::hypot(radius, std::max(static_cast<float>(length_), kLongestPiece * radius));
@@ -102,9 +103,8 @@ void PathImage::advance(const SkinQuery& query, const PathPoint& to, bool alongS
 
 // m from the skin to the point of the piece at x.
 double PathImage::gapAt(double x) const {
-    const double t = length_ > 0.0 ? std::clamp(x / length_, 0.0, 1.0) : 1.0;
-    const double start = gapOf(from_), end = gapOf(to_);
-    return start == end ? end : start + t * (end - start);
+    if (startGap_ == endGap_ || !(length_ > 0.0)) return endGap_;
+    return startGap_ + std::clamp(x / length_, 0.0, 1.0) * (endGap_ - startGap_);
 }
 
 // From the distances a and b to the ends of a piece of length l: x = (l^2 + a^2 - b^2) / 2l. Where
@@ -112,13 +112,10 @@ double PathImage::gapAt(double x) const {
 // only one is known, because the other end is too far away, the vertex is beyond the near end, and
 // how far to the side can be seen from where it is in space.
 Beside PathImage::beside(const SkinVertex& vertex, uint v) const {
-    const vec3 start = alongSurface_ && from_.foot ? from_.foot->position : from_.position;
-    const vec3 end = alongSurface_ && to_.foot ? to_.foot->position : to_.position;
-    const vec3 heading = length_ > 0.0 ? (end - start) / static_cast<float>(length_) : vec3(0.0f);
     if (!alongSurface_) {
-        const vec3 away = vertex.position - start;
-        const float x = glm::dot(away, heading);
-        return {x, glm::length(away - x * heading)};
+        const vec3 away = vertex.position - start_;
+        const float x = glm::dot(away, heading_);
+        return {x, glm::length(away - x * heading_)};
     }
     const double a = fromStart_.to(v), b = fromEnd_.to(v);
     if (!(std::min(a, b) < kInfinite)) return {0.0, kInfinite};
@@ -129,18 +126,19 @@ Beside PathImage::beside(const SkinVertex& vertex, uint v) const {
     if (!(length_ > 0.0)) {
         place.y = std::min(a, b);
     } else if (!(b < kInfinite)) {
-        const double past = glm::dot(vertex.position - start, heading);
+        const double past = glm::dot(vertex.position - start_, heading_);
         place.x = std::clamp(past, -a, 0.0);
         place.y = sideways(a, place.x);
     } else if (!(a < kInfinite)) {
-        const double past = std::clamp<double>(glm::dot(vertex.position - end, heading), 0.0, b);
+        const double past = std::clamp<double>(glm::dot(vertex.position - end_, heading_), 0.0, b);
         place.x = length_ + past;
         place.y = sideways(b, past);
     } else {
         place.x = std::clamp(0.5 * (length_ + (a - b) * (a + b) / length_), -a, length_ + b);
         place.y = sideways(a, place.x);
     }
-    if (const double gap = gapAt(place.x); gap > 0.0) place.y = std::hypot(place.y, gap);
+    const double gap = gapAt(place.x);
+    place.y = std::sqrt(place.y * place.y + gap * gap);
     return place;
 }
 

@@ -68,6 +68,8 @@ private:
     bool begun_ = false, alongSurface_ = true;
     PathPoint from_, to_;
     double length_ = 0.0;
+    vec3 start_{0.0f}, end_{0.0f}, heading_{0.0f};  // of the piece; on the skin when along it
+    double startGap_ = 0.0, endGap_ = 0.0;          // m from the points to their feet
     SurfaceDistance fromStart_, fromEnd_;
 };
 

@@ -188,7 +188,8 @@ void drawBrushPanel(App& app, const Layout& layout) {
         if (toggleRow(ui, action.label, &on, action.help)) perform(app, action);
         ImGui::SameLine();
         const std::string key = shortcutText(action.keys[0]);
-        ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - app.theme.px(10));
+        ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x -
+                             ImGui::CalcTextSize(key.c_str()).x);
         ImGui::TextDisabled("%s", key.c_str());
     }
     caption(ui, "EVERYWHERE");

@@ -132,6 +132,35 @@ TEST(Script, WordsAfterTheToolMayComeInAnyOrder) {
     EXPECT_EQ(one.editor->stepCount(), 2u);
 }
 
+TEST(Script, MirrorAloneIsInX) {
+    const std::string points = " : 0.7 0.5 0.5 0.7 0.5 0.5";
+    const std::pair<const char*, const char*> same[] = {
+        {"mirror", "mirror x"},
+        {"mirror zy", "mirror yz"},
+        {"mirror xyz straight", "straight mirror zyx"}};
+    for (const auto& [first, second] : same) {
+        Workspace one = onBall(), other = onBall(), none = onBall();
+        runLine(one, std::string("stroke mask radius 0.3 ") + first + points);
+        runLine(other, std::string("stroke mask radius 0.3 ") + second + points);
+        runLine(none, "stroke mask radius 0.3" + points);
+        EXPECT_TRUE(sameBits(one.editor->document(), other.editor->document())) << first;
+        EXPECT_FALSE(sameBits(one.editor->document(), none.editor->document())) << first;
+    }
+}
+
+TEST(Script, PressureIsASeventhNumberOfEachPoint) {
+    Workspace full = onBall(), pressed = onBall(), light = onBall();
+    runLine(full, "stroke density set 1 radius 0.3 strength 1 : 1 0 0 1 0 0  0 0 1 0 0 1");
+    runLine(pressed,
+            "stroke density set 1 radius 0.3 strength 1 pressure : 1 0 0 1 0 0 1  0 0 1 0 0 1 1");
+    runLine(light,
+            "stroke density set 1 radius 0.3 strength 1 pressure : 1 0 0 1 0 0 .5  0 0 1 0 0 1 .5");
+    EXPECT_TRUE(sameBits(full.editor->document(), pressed.editor->document()));
+    const auto &first = full.editor->document().groom, &second = light.editor->document().groom;
+    for (std::size_t v = 0; v < first.fur.size(); ++v)
+        EXPECT_NEAR(second.fur[v].density - 0.5f, 0.5f * (first.fur[v].density - 0.5f), 1e-6f);
+}
+
 TEST(Script, ErrorNamesTheOffendingWordAndChangesNothing) {
     Workspace workspace = onBall();
     runLine(workspace, "flood density set 0.75");
@@ -153,6 +182,12 @@ TEST(Script, ErrorNamesTheOffendingWordAndChangesNothing) {
         {"stroke comb radius 0.1 : 0 0 0", "normal"},
         {"stroke comb radius 0.1 : 1 0 0 1 0 0 0 zero 0 0 0 1", "zero"},
         {"stroke density set 2 radius 0.1 : 1 0 0 1 0 0", "\"2\""},
+        {"stroke comb scale 0.5 radius 0.1 : 1 0 0 1 0 0", "does not scale"},
+        {"stroke length scale 11 radius 0.1 : 1 0 0 1 0 0", "\"11\""},
+        {"stroke comb radius 0.1 mirror xw : 1 0 0 1 0 0", "xw"},
+        {"stroke comb radius 0.1 pressure : 1 0 0 1 0 0", "pressure"},
+        {"stroke comb radius 0.1 pressure : 1 0 0 1 0 0 2", "\"2\""},
+        {"stroke comb radius 0.1 pressure straight : 1 0 0 1 0 0 1", "straight"},
         {"flood comb", "direction"},
         {"flood part", "part goes by the path"},
         {"flood clump subtract", "clump goes by the path"},

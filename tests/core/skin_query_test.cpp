@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "test_skins.h"
@@ -213,6 +214,26 @@ TEST(SkinQuery, NearestWorksFarFromTheOriginAndFarFromTheSkin) {
     const auto origin = query.nearest(vec3(0.0f));
     ASSERT_TRUE(origin);
     EXPECT_LT(glm::distance(origin->position, {1e4f - 0.5f, -2e4f, 5e3f - 0.5f}), 1e-2f);
+}
+
+TEST(SkinQuery, FanHoldsTheTrianglesOfAVertexOneBesideTheOther) {
+    const auto skin = makeSkin(test::ball(2));
+    const SkinQuery query(skin);
+    std::size_t count = 0;
+    for (uint v = 0; v < skin->vertices.size(); ++v) {
+        const auto fan = query.fan(v);
+        for (std::size_t i = 0; i < fan.size(); ++i) {
+            const bool there =
+                std::any_of(skin->triangles.begin(), skin->triangles.end(), [&](uvec3 t) {
+                    return t == uvec3(v, fan[i]) || t == uvec3(fan[i].y, v, fan[i].x) ||
+                           t == uvec3(fan[i], v);
+                });
+            EXPECT_TRUE(there);
+            EXPECT_EQ(fan[i].x, fan[(i + fan.size() - 1) % fan.size()].y);
+        }
+        count += fan.size();
+    }
+    EXPECT_EQ(count, 3 * skin->triangles.size());
 }
 
 TEST(SkinQuery, EmptySkinAndNonsenseRaysHitNothing) {
