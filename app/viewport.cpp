@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/app.h"
+#include "app/segment_arrow.h"
 
 namespace pelage {
 namespace {
@@ -63,7 +64,7 @@ void press(App& app, const PointerEvent& event) {
         viewport.drag = Drag::none;  // the left button keeps the value
         return;
     }
-    if (viewport.drag == Drag::stroke) {
+    if (viewport.drag == Drag::stroke || viewport.drag == Drag::axis) {
         if (event.button == 1) cancelDrag(app);
         return;
     }
@@ -74,6 +75,8 @@ void press(App& app, const PointerEvent& event) {
         viewport.drag = left ? Drag::orbit : middle ? Drag::pan : right ? Drag::zoom : Drag::none;
     else if (middle)
         viewport.drag = event.shift ? Drag::pan : event.control ? Drag::zoom : Drag::orbit;
+    else if (left && grabAxis(app, event.at))
+        viewport.drag = Drag::axis;
     else if (const auto hit = left ? hitAt(app, event.at) : std::nullopt) {
         viewport.drag = Drag::stroke;
         beginStroke(app, heldBrush(app.session, event.shift, event.control), *hit);
@@ -90,6 +93,9 @@ void move(App& app, const PointerEvent& event, vec2 before) {
         case Drag::stroke:
             if (const auto hit = hitAt(app, event.at))
                 app.workspace.drag(hit->position, hit->normal), app.touched = true;
+            break;
+        case Drag::axis:
+            dragAxis(app, event.at, event.control);
             break;
         case Drag::orbit:
             orbit(camera, moved);
@@ -119,6 +125,10 @@ void release(App& app, const PointerEvent& event) {
     if (viewport.drag == Drag::stroke && event.button == 0) {
         viewport.drag = Drag::none;
         endStroke(app);
+    }
+    if (viewport.drag == Drag::axis && event.button == 0) {
+        viewport.drag = Drag::none;
+        commitPending(app);
     }
     const bool view =
         viewport.drag == Drag::orbit || viewport.drag == Drag::pan || viewport.drag == Drag::zoom;
@@ -171,8 +181,9 @@ void usePointer(App& app, bool mine) {
     viewport.inside = mine && within(viewport, viewport.pointer);
     // While a value is set by moving, the ring stays where the hand began.
     if (viewport.drag == Drag::radius || viewport.drag == Drag::strength) return;
-    const bool brush =
-        viewport.drag == Drag::stroke || (viewport.inside && viewport.drag == Drag::none);
+    const bool free = viewport.inside && viewport.drag == Drag::none;
+    if (viewport.drag != Drag::axis) hoverAxis(app, free);
+    const bool brush = viewport.drag == Drag::stroke || (free && !viewport.axisEnd);
     viewport.hit = brush ? hitAt(app, viewport.pointer) : std::nullopt;
 }
 
@@ -189,6 +200,7 @@ bool cancelDrag(App& app) {
     Viewport& viewport = app.viewport;
     const Drag was = std::exchange(viewport.drag, Drag::none);
     if (was == Drag::stroke) cancelStroke(app);
+    if (was == Drag::axis) cancelPending(app);
     if (was == Drag::radius) setRadius(app.session, app.skin(), viewport.dragValue);
     if (was == Drag::strength) setStrength(app.session, viewport.dragValue);
     return was != Drag::none;

@@ -21,7 +21,8 @@ struct PointerEvent {
     float wheel = 0.0f;  // notches, positive away from the hand
 };
 
-enum class Drag { none, stroke, orbit, pan, zoom, radius, strength };
+enum class Drag { none, stroke, orbit, pan, zoom, radius, strength, axis };
+enum class AxisEnd { root, tip };  // of the arrow of a body segment
 
 struct Viewport {
     vec2 corner{0.0f}, size{1.0f};        // window units, top left
@@ -34,6 +35,8 @@ struct Viewport {
     vec2 dragStart{0.0f};
     float dragValue = 0.0f;          // radius or strength when the drag began
     std::optional<SkinHit> hit;      // under the pointer
+    std::optional<AxisEnd> axisEnd;  // under the pointer or held (segment_arrow.h)
+    vec3 axisGrip{0.0f};             // m, from the end that is held to the hand
     std::vector<OverlayLine> lines;  // cursor and arrows, for View::lines
 };
 

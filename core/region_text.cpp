@@ -28,58 +28,16 @@ std::size_t placeOf(std::span<const char* const> names, std::string_view word, c
                              known);
 }
 
-float numberFrom(std::string_view word, std::string_view what, float least, float greatest) {
-    const std::optional<float> number = floatFromText(word);
-    if (!number || *number < least || *number > greatest)
-        throw std::runtime_error(std::string(what) + " " + inQuotes(word) + " is no number from " +
-                                 floatText(least) + " to " + floatText(greatest));
-    return *number;
-}
-
 float number(Words& words, std::string_view what, float least, float greatest = kMost) {
-    return numberFrom(words.next(), what, least, greatest);
+    return numberAfter(words, what, least, greatest);
 }
 
-vec3 point(Words& words, std::string_view what) {
-    vec3 read(0.0f);
-    for (int i = 0; i < 3; ++i) read[i] = number(words, what, -kMost);
-    return read;
-}
+vec3 point(Words& words, std::string_view what) { return pointAfter(words, what, kMost); }
 
 void expectWord(Words& words, std::string_view expected) {
     const std::string_view word = words.next();
     if (word != expected)
         throw std::runtime_error("expects " + std::string(expected) + " and not " + inQuotes(word));
-}
-
-std::string nameText(std::string_view name) {
-    std::string text;
-    for (const char c : name) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte > 0x20 && byte != 0x7f && byte != '%') {
-            text += c;
-            continue;
-        }
-        constexpr char kDigits[] = "0123456789ABCDEF";
-        text += {'%', kDigits[byte >> 4], kDigits[byte & 15]};
-    }
-    return text;
-}
-
-std::string nameFromText(std::string_view text) {
-    std::string name;
-    while (!text.empty()) {
-        unsigned byte = 0;
-        const bool escaped = text.front() == '%';
-        if (escaped) {
-            const char* begin = text.data() + 1;
-            if (text.size() < 3 || std::from_chars(begin, begin + 2, byte, 16).ptr != begin + 2)
-                throw std::runtime_error("no two hexadecimal digits after % in " + inQuotes(text));
-        }
-        name += escaped ? static_cast<char>(static_cast<unsigned char>(byte)) : text.front();
-        text.remove_prefix(escaped ? 3 : 1);
-    }
-    return name;
 }
 
 // The points of the lasso, up to the first word that is no number, which it returns.
@@ -109,7 +67,7 @@ Region readRegion(Words& words) {
             region.half = point(words, "half");
             break;
         case Where::segment:
-            region.segment = nameFromText(words.next());
+            region.segment = textOfWord(words.next());
             break;
         case Where::narrow:
             region.width = number(words, "narrow", 0.0f);
@@ -178,9 +136,7 @@ RegionEdit readEdit(Words& words) {
     return change;
 }
 
-void add(std::string& text, vec3 numbers) {
-    for (int i = 0; i < 3; ++i) text += ' ' + floatText(numbers[i]);
-}
+void add(std::string& text, vec3 numbers) { text += ' ' + pointText(numbers); }
 
 std::string channelName(Channel channel) {
     return channel == Channel::length    ? "length"
@@ -201,7 +157,7 @@ std::string regionText(const Region& region) {
             if (region.turn != vec3(0.0f)) add(text += " turn", region.turn);
             break;
         case Where::segment:
-            text += ' ' + nameText(region.segment);
+            text += ' ' + wordText(region.segment);
             break;
         case Where::narrow:
             text += ' ' + floatText(region.width);

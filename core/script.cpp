@@ -144,9 +144,9 @@ void runReset(Workspace& workspace, Words& words) {
     editor.commit(std::string("Reset ") + tool.name);
 }
 
-void runSegmentLine(Workspace& workspace, Words& words) {
-    runSegment(editorOf(workspace), words);
-}
+void runSegmentLine(Workspace& workspace, Words& words) { runSegment(editorOf(workspace), words); }
+
+void runBodyLine(Workspace& workspace, Words& words) { runBody(editorOf(workspace), words); }
 
 void runComb(Workspace& workspace, Words& words) { runHeadToTail(editorOf(workspace), words); }
 
@@ -180,7 +180,7 @@ struct Command {
     const char* name;
     void (*run)(Workspace&, Words&);
 };
-constexpr std::array<Command, 13> kCommands{{{"open", runOpen},
+constexpr std::array<Command, 14> kCommands{{{"open", runOpen},
                                              {"animal", runAnimal},
                                              {"preset", runPreset},
                                              {"set", runSet},
@@ -188,6 +188,7 @@ constexpr std::array<Command, 13> kCommands{{{"open", runOpen},
                                              {"flood", runFlood},
                                              {"reset", runReset},
                                              {"segment", runSegmentLine},
+                                             {"body", runBodyLine},
                                              {"comb", runComb},
                                              {"region", runRegion},
                                              {"undo", runUndo},

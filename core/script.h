@@ -11,6 +11,7 @@
 //   region WHERE [sizes] [falloff F] : CHANNEL ACT      as region_text.h says
 //   reset TOOL                             what the tool paints, as it was before any painting
 //   segment NAME [axis x y z] [weight W]  combs a body segment along its own axis or this one
+//   body add|move|rename|remove NAME ...   the list of body segments, as segment_text.h says
 //   comb head-to-tail [weight W]           combs the whole body along its segments
 //   undo
 //   redo
@@ -18,8 +19,10 @@
 // Blank lines and lines that begin with # do nothing. The words after TOOL may come in any order;
 // strength is 0.5 for a stroke and 1 for a flood unless said. Only comb takes a direction, and a
 // flood of it needs one; only tint takes a color, linear RGB and 1 1 1 unless said; cut needs a
-// value; part and clump cannot flood. Undo and redo at the end of the history do nothing. Numbers
-// are written so that they read back bit for bit. PATH and NAME of a preset are the rest of the line.
+// value; after the tool segment comes the NAME of a body segment, as segment_text.h writes it, or #
+// for none; part and clump cannot flood. Undo and redo at the end of the history do nothing.
+// Numbers are written so that they read back bit for bit. PATH and NAME of a preset are the rest of
+// the line.
 #pragma once
 
 #include <memory>

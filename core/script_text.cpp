@@ -2,6 +2,7 @@
 #include "script_text.h"
 
 #include <algorithm>
+#include <charconv>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -19,15 +20,6 @@ std::optional<std::size_t> place(std::span<const char* const> names, std::string
     return std::nullopt;
 }
 
-float numberAfter(Words& words, std::string_view what, float least, float greatest) {
-    const std::string_view word = words.next();
-    const std::optional<float> number = floatFromText(word);
-    if (!number || *number < least || *number > greatest)
-        throw std::runtime_error(std::string(what) + " " + inQuotes(word) + " is no number from " +
-                                 floatText(least) + " to " + floatText(greatest));
-    return *number;
-}
-
 }  // namespace
 
 const ToolInfo& toolNamed(std::string_view word) {
@@ -42,6 +34,8 @@ const ToolInfo& toolNamed(std::string_view word) {
 std::string toolText(const Brush& brush) {
     const ToolInfo& tool = toolInfo(brush.tool);
     std::string text = tool.name;
+    if (brush.tool == Tool::segment)
+        text += brush.segment.empty() ? " #" : ' ' + wordText(brush.segment);
     const Mode mode = tool.add ? brush.mode : Mode::set;  // cut has no other
     if (tool.hasSet || mode == Mode::subtract)
         text += std::string(" ") + modeNames()[static_cast<std::size_t>(mode)];
@@ -82,11 +76,68 @@ std::string_view Words::path() {
     return rest_;
 }
 
+std::string wordText(std::string_view text) {
+    std::string word;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte > 0x20 && byte != 0x7f && byte != '%') {
+            word += c;
+            continue;
+        }
+        constexpr char kDigits[] = "0123456789ABCDEF";
+        word += {'%', kDigits[byte >> 4], kDigits[byte & 15]};
+    }
+    return word;
+}
+
+std::string textOfWord(std::string_view word) {
+    std::string text;
+    while (!word.empty()) {
+        unsigned byte = 0;
+        const bool escaped = word.front() == '%';
+        if (escaped) {
+            const char* begin = word.data() + 1;
+            if (word.size() < 3 || std::from_chars(begin, begin + 2, byte, 16).ptr != begin + 2)
+                throw std::runtime_error("no two hexadecimal digits after % in " + inQuotes(word));
+        }
+        text += escaped ? static_cast<char>(static_cast<unsigned char>(byte)) : word.front();
+        word.remove_prefix(escaped ? 3 : 1);
+    }
+    return text;
+}
+
+float numberFrom(std::string_view word, std::string_view what, float least, float greatest) {
+    const std::optional<float> number = floatFromText(word);
+    if (!number || *number < least || *number > greatest)
+        throw std::runtime_error(std::string(what) + " " + inQuotes(word) + " is no number from " +
+                                 floatText(least) + " to " + floatText(greatest));
+    return *number;
+}
+
+float numberAfter(Words& words, std::string_view what, float least, float greatest) {
+    return numberFrom(words.next(), what, least, greatest);
+}
+
+vec3 pointAfter(Words& words, std::string_view what, float greatest) {
+    vec3 point(0.0f);
+    for (int i = 0; i < 3; ++i) point[i] = numberAfter(words, what, -greatest, greatest);
+    return point;
+}
+
+std::string pointText(vec3 point) {
+    return floatText(point.x) + ' ' + floatText(point.y) + ' ' + floatText(point.z);
+}
+
 BrushWords brushFromWords(Words& words, bool ofStroke) {
     constexpr float kMost = 1e6f;  // m; also keeps squares of it finite
     BrushWords found;
     Brush& brush = found.brush;
     brush.tool = toolNamed(words.next()).tool;
+    if (brush.tool == Tool::segment) {
+        brush.segment = textOfWord(words.next());
+        if (brush.segment.empty()) throw std::runtime_error("the brush names no body segment");
+        if (brush.segment == "#") brush.segment.clear();
+    }
     if (!ofStroke) brush.strength = 1.0f;
     const ToolInfo& tool = toolInfo(brush.tool);
     bool radius = false, value = false;

@@ -18,6 +18,7 @@ constexpr MouseHelp kMouse[] = {
     {"Left drag", "Paint"},
     {"Ctrl + left drag", "Paint with add and subtract exchanged"},
     {"Shift + left drag", "Smooth"},
+    {"Drag the end of a segment's arrow", "Move it; Ctrl keeps its direction"},
     {"Esc, right click", "Give up the stroke"},
     {"Middle drag, Alt + left drag", "Turn"},
     {"Shift + middle, Alt + middle", "Move"},
