@@ -65,7 +65,7 @@ constexpr Action kActions[] = {
      "View",
      "Next overlay",
      "",
-     "None, length, density, direction, mask.",
+     "None, length, density, direction, mask, segments.",
      {{{GLFW_KEY_V}}},
      nextOverlay,
      open,

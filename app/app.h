@@ -39,11 +39,12 @@ struct Dialogs {
     bool escape = false, enter = false;  // keys of this frame, for the question that is open
 };
 
-// Edits on screen that are not yet a step of history: a slider that is still held.
+// Edits on screen that are not yet a step of history: a slider or an arrow that is still held.
 struct Pending {
-    std::string path;   // of the parameter
+    std::string path;   // of the parameter, or empty
     std::string label;  // of the step
     Fur before;
+    uint segment = kNoSegment;  // whose axis is moved
 };
 
 struct App {
@@ -93,7 +94,9 @@ void trace(const App& app, const std::string& line);
 
 // Edits (edits.cpp). Each ends in at most one step of history and one line of the journal.
 void editParameter(App& app, const std::string& path, const std::string& label, vec3 value);
+void editAxis(App& app, uint segment, vec3 root, vec3 tip);  // of the body, world
 void commitPending(App& app);
+void cancelPending(App& app);
 void undo(App& app);
 void redo(App& app);
 void goToStep(App& app, std::size_t step);
@@ -105,6 +108,7 @@ void combAlong(App& app, uint segment, vec3 axis, float weight);  // world
 void combBody(App& app, float weight);                            // from head to tail
 void fillGradient(App& app, const Gradient& gradient);
 void editMask(App& app, const MaskEdit& change);
+void changeBody(App& app, const std::string& line);  // as segment_text.h says
 void beginStroke(App& app, const Brush& brush, const SkinHit& hit, float pressure);
 void endStroke(App& app);
 void cancelStroke(App& app);

@@ -6,8 +6,8 @@
 
 #include "app/app.h"
 #include "app/region_lines.h"
+#include "app/segment_arrow.h"
 #include "app/viewport.h"
-#include "core/segment_comb.h"
 
 namespace pelage {
 namespace {
@@ -34,12 +34,12 @@ vec4 ringColor(const Brush& brush) {
     return {0.50f, 0.80f, 1.0f, 1.0f};
 }
 
-// The distance at which the falloff is one half, as a share of the radius.
-float halfPoint(Falloff falloff) {
+// The distance at which the falloff has this value, as a share of the radius.
+float distanceAt(Falloff falloff, float value) {
     float least = 0.0f, greatest = 1.0f;
     for (int i = 0; i < 12; ++i) {
         const float middle = 0.5f * (least + greatest);
-        (falloffWeight(falloff, middle, 1.0f) > 0.5f ? least : greatest) = middle;
+        (falloffWeight(falloff, middle, 1.0f) > value ? least : greatest) = middle;
     }
     return greatest;
 }
@@ -79,7 +79,9 @@ void addCursor(App& app, std::vector<OverlayLine>& lines) {
     const SkinQuery& query = *app.workspace.query;
     const vec4 outer = ringColor(brush);
     const vec4 inner{outer.x, outer.y, outer.z, 0.4f + 0.5f * brush.strength};
-    const float half = halfPoint(brush.falloff) * brush.radius;
+    // Of a brush that knows no degrees, up to where it paints.
+    const float value = brush.tool == Tool::segment ? 1.0f - brush.strength : 0.5f;
+    const float half = distanceAt(brush.falloff, value) * brush.radius;
     const SkinHit& hit = *viewport.hit;
     // Two units wide, with a dark edge so that it is seen on light fur.
     const float unit = app.theme.scale * worldPerUnit(app.session.camera, viewport, hit.distance);
@@ -130,40 +132,6 @@ void addArrows(const App& app, std::vector<OverlayLine>& lines) {
         lines.push_back({root - thick, tip - thick, kArrowEdge});
         lines.push_back({tip, tip - 0.35f * step + side, kArrowColor});
         lines.push_back({tip, tip - 0.35f * step - side, kArrowColor});
-    }
-}
-
-// The same place of the picture, before the body.
-vec3 lifted(const Camera& camera, vec3 eye, vec3 p, float size) {
-    if (camera.orthographic) return p + size * glm::normalize(eye - camera.target);
-    return glm::mix(p, eye, std::min(0.7f, size / std::max(glm::distance(p, eye), 1e-9f)));
-}
-
-// The axes of the segments; the one in hand as it is set.
-void addAxes(App& app, std::vector<OverlayLine>& lines) {
-    const Skin& skin = app.skin();
-    const SegmentChoice& choice = app.session.segment;
-    const Camera& camera = app.session.camera;
-    const vec3 eye = camera.eye();
-    for (uint s = 0; s < skin.segments().size(); ++s) {
-        const Segment& segment = skin.segments()[s];
-        const vec3 middle = 0.5f * (segment.root + segment.tip);
-        const bool own = s == choice.chosen;
-        const vec3 unit = own ? axisOf({"", vec3(0.0f), choice.axis}) : axisOf(segment);
-        const vec3 axis = glm::distance(segment.root, segment.tip) * unit;
-        if (axis == vec3(0.0f)) continue;
-        const vec3 across = glm::cross(axis, eye - middle);
-        const float width = glm::length(across);
-        const vec3 side = width > 0.0f ? 0.12f * glm::length(axis) / width * across : vec3(0.0f);
-        const vec4 color = own ? vec4(1.0f, 0.72f, 0.40f, 1.0f) : kArrowColor;
-        const auto add = [&](vec3 from, vec3 to) {
-            lines.push_back({lifted(camera, eye, from, skin.size()),
-                             lifted(camera, eye, to, skin.size()), color});
-        };
-        const vec3 tip = middle + 0.5f * axis;
-        add(middle - 0.5f * axis, tip);
-        add(tip, tip - 0.25f * axis + side);
-        add(tip, tip - 0.25f * axis - side);
     }
 }
 

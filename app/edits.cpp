@@ -6,6 +6,7 @@
 
 #include "app/app.h"
 #include "core/animal.h"
+#include "core/body.h"
 #include "core/region_text.h"
 #include "core/script.h"
 #include "core/segment_text.h"
@@ -78,6 +79,28 @@ void runStep(App& app, const std::string& line) {
     if (!(app.document() == before)) stepped(app, full, line);
 }
 
+std::string pendingLine(const App& app, const Pending& pending) {
+    const Document& now = app.document();
+    if (pending.segment == kNoSegment) return setLine(pending.before, now.fur);
+    const Segment& segment = now.groom.body()[pending.segment];
+    return moveSegmentLine(now.groom, pending.segment, segment.root, segment.tip);
+}
+
+// The brush as it is held: the Segment brush paints the segment that is chosen.
+Brush withSegment(const App& app, Brush brush) {
+    const Groom& groom = app.document().groom;
+    if (brush.tool == Tool::segment && app.session.segment.chosen < groom.body().size())
+        brush.segment = nameOfSegment(groom.body(), app.session.segment.chosen);
+    return brush;
+}
+
+// False, and says so, when the Segment brush has nothing to paint.
+bool canPaint(App& app, const Brush& brush) {
+    if (brush.tool != Tool::segment || !brush.segment.empty()) return true;
+    tell(app, "There is no body segment to paint: add one in the panel Body");
+    return false;
+}
+
 }  // namespace
 
 void tell(App& app, std::string message) {
@@ -143,11 +166,28 @@ void editParameter(App& app, const std::string& path, const std::string& label, 
     });
 }
 
+void editAxis(App& app, uint segment, vec3 root, vec3 tip) {
+    if (app.pending && app.pending->segment != segment) commitPending(app);
+    app.touched = true;
+    if (!app.pending) {
+        const std::string& name = app.document().groom.body()[segment].name;
+        app.pending = Pending{"", "Move axis of " + name, {}, segment};
+    }
+    app.editor().edit([&](Document& document) { moveSegment(document.groom, segment, root, tip); });
+}
+
+void cancelPending(App& app) {
+    if (!app.pending) return;
+    app.pending.reset();
+    app.editor().cancel();
+    app.touched = true;
+}
+
 void commitPending(App& app) {
     if (!app.pending) return;
     const Pending pending = *app.pending;
     app.pending.reset();
-    const std::string line = setLine(pending.before, app.document().fur);
+    const std::string line = pendingLine(app, pending);
     const bool full = historyFull(app);
     if (app.editor().commit(pending.label)) stepped(app, full, line);
 }
@@ -181,7 +221,8 @@ void goToStep(App& app, std::size_t step) {
 void choosePreset(App& app, const std::string& name) { runStep(app, "preset " + name); }
 
 void floodSkin(App& app, vec3 direction) {
-    runStep(app, floodLine(app.session.brush(), direction));
+    const Brush brush = withSegment(app, app.session.brush());
+    if (canPaint(app, brush)) runStep(app, floodLine(brush, direction));
 }
 
 void resetSkin(App& app) { runStep(app, std::string("reset ") + toolInfo(app.session.tool).name); }
@@ -189,7 +230,7 @@ void resetSkin(App& app) { runStep(app, std::string("reset ") + toolInfo(app.ses
 void editRegion(App& app) { runStep(app, regionLine(app.session.region, app.session.regionEdit)); }
 
 void combAlong(App& app, uint segment, vec3 axis, float weight) {
-    runStep(app, segmentLine(app.skin(), segment, axis, weight));
+    runStep(app, segmentLine(app.document().groom, segment, axis, weight));
 }
 
 void combBody(App& app, float weight) { runStep(app, headToTailLine(weight)); }
@@ -198,9 +239,12 @@ void fillGradient(App& app, const Gradient& gradient) { runStep(app, gradientLin
 
 void editMask(App& app, const MaskEdit& change) { runStep(app, maskLine(change)); }
 
+void changeBody(App& app, const std::string& line) { runStep(app, line); }
+
 void beginStroke(App& app, const Brush& brush, const SkinHit& hit, float pressure) {
     commitPending(app);
-    app.workspace.press(brush, hit.position, hit.normal, pressure);
+    const Brush held = withSegment(app, brush);
+    if (canPaint(app, held)) app.workspace.press(held, hit.position, hit.normal, pressure);
 }
 
 void endStroke(App& app) {

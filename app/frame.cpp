@@ -184,7 +184,8 @@ void drawFrame(App& app, Renderer& renderer, FrameKeys& keys, double now, bool e
     }
     usePointer(app, !asking(app) && !ImGui::GetIO().WantCaptureMouse);
     useKeys(app, keys);
-    if (app.isOpen() && !ImGui::IsAnyItemActive()) commitPending(app);
+    if (app.isOpen() && !ImGui::IsAnyItemActive() && app.viewport.drag != Drag::axis)
+        commitPending(app);
     updateLines(app);
     if (app.isOpen()) {
         drawPicture(app, renderer, keys, now, events);

@@ -35,11 +35,12 @@ std::string lengthText(float metres);
 
 // The segment of the body in hand.
 struct SegmentChoice {
+    uint chosen = 0;                    // also what the Segment brush paints
+    float weight = 1.0f;                // [0,1]
+    bool shown = false;                 // in this frame: the axes are drawn and can be held
+    std::string name;                   // as it is typed
     std::vector<std::size_t> vertices;  // of each segment
-    uint chosen = 0;
-    vec3 axis{0.0f};      // world; where its hair is to lie
-    float weight = 1.0f;  // [0,1]
-    bool shown = false;   // in this frame: the axes are drawn
+    Chunked<uint> counted;              // what they were counted in
 };
 
 struct Session {

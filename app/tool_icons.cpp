@@ -126,6 +126,13 @@ void maskIcon(const Pen& pen) {
     pen.draw.PathFillConvex(pen.color);
 }
 
+// Two pieces of a limb, one of them filled.
+void segmentIcon(const Pen& pen) {
+    pen.draw.AddRectFilled(pen.at(0.10f, 0.10f), pen.at(0.48f, 0.90f), pen.color, 0.16f * pen.side);
+    pen.draw.AddRect(pen.at(0.56f, 0.10f), pen.at(0.92f, 0.90f), pen.color, 0.16f * pen.side, 0,
+                     pen.width());
+}
+
 }  // namespace
 
 void drawToolIcon(ImDrawList& draw, Tool tool, ImVec2 corner, float side, ImU32 color) {
@@ -155,6 +162,8 @@ void drawToolIcon(ImDrawList& draw, Tool tool, ImVec2 corner, float side, ImU32 
             return tintIcon(pen);
         case Tool::mask:
             return maskIcon(pen);
+        case Tool::segment:
+            return segmentIcon(pen);
     }
 }
 

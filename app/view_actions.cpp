@@ -12,9 +12,14 @@ void frameAnimal(App& app) {
 }
 
 void nextOverlay(App& app) {
-    constexpr int kOverlays = static_cast<int>(Overlay::mask) + 1;
+    constexpr int kOverlays = static_cast<int>(Overlay::segment) + 1;
     Overlay& overlay = app.session.view.overlay;
     overlay = static_cast<Overlay>((static_cast<int>(overlay) + 1) % kOverlays);
+}
+
+void paintSegments(App& app) {
+    app.session.tool = Tool::segment;
+    app.session.view.overlay = Overlay::segment;
 }
 
 void scaleText(App& app, float factor) {

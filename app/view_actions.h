@@ -7,6 +7,8 @@ struct App;
 
 void frameAnimal(App& app);
 void nextOverlay(App& app);
+// Takes the Segment brush; its paint is seen in its overlay only, which is shown.
+void paintSegments(App& app);
 // Text and widgets by this factor larger; 0 goes back to what the display asks for.
 void scaleText(App& app, float factor);
 

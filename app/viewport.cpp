@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/app.h"
+#include "app/segment_arrow.h"
 
 namespace pelage {
 namespace {
@@ -48,7 +49,7 @@ void zoom(App& app, float factor, vec2 at) {
 // The left button is down for something that a right click gives up.
 bool handBusy(Drag drag) {
     return drag == Drag::stroke || drag == Drag::click || drag == Drag::gradient ||
-           drag == Drag::lasso;
+           drag == Drag::lasso || drag == Drag::axis;
 }
 
 void press(App& app, const PointerEvent& event) {
@@ -69,6 +70,8 @@ void press(App& app, const PointerEvent& event) {
         viewport.drag = left ? Drag::orbit : middle ? Drag::pan : right ? Drag::zoom : Drag::none;
     else if (middle)
         viewport.drag = event.shift ? Drag::pan : event.control ? Drag::zoom : Drag::orbit;
+    else if (left && grabAxis(app, event.at))
+        viewport.drag = Drag::axis;
     else if (left)
         pressHand(app, event);
     else if (right)
@@ -87,6 +90,9 @@ void move(App& app, const PointerEvent& event, vec2 before) {
         case Drag::gradient:
         case Drag::lasso:
             moveHand(app, event);
+            break;
+        case Drag::axis:
+            dragAxis(app, event.at, event.control);
             break;
         case Drag::orbit:
             orbit(camera, moved);
@@ -110,6 +116,10 @@ void move(App& app, const PointerEvent& event, vec2 before) {
 
 void release(App& app, const PointerEvent& event) {
     Viewport& viewport = app.viewport;
+    if (viewport.drag == Drag::axis && event.button == 0) {
+        viewport.drag = Drag::none;
+        commitPending(app);
+    }
     if (handBusy(viewport.drag) && event.button == 0) releaseHand(app, event);
     const bool view =
         viewport.drag == Drag::orbit || viewport.drag == Drag::pan || viewport.drag == Drag::zoom;
@@ -188,7 +198,10 @@ void usePointer(App& app, bool mine) {
     // While a value is set by moving, the ring stays where the hand began.
     if (viewport.drag == Drag::radius || viewport.drag == Drag::strength) return;
     const bool stroke = viewport.drag == Drag::stroke;
-    const bool brush = stroke || (viewport.inside && viewport.drag == Drag::none);
+    const bool free = viewport.inside && viewport.drag == Drag::none;
+    if (viewport.drag != Drag::axis)
+        hoverAxis(app, free && app.session.hand.job == Job::paint);
+    const bool brush = stroke || (free && !viewport.axisEnd);
     viewport.hit = brush ? hitAt(app, stroke ? viewport.brushAt : viewport.pointer) : std::nullopt;
 }
 
@@ -204,6 +217,7 @@ bool cancelDrag(App& app) {
     Viewport& viewport = app.viewport;
     const Drag was = std::exchange(viewport.drag, Drag::none);
     if (was == Drag::stroke) cancelStroke(app);
+    if (was == Drag::axis) cancelPending(app);
     if (was == Drag::radius) setRadiusInUnit(app, viewport.dragValue);
     if (was == Drag::strength) setStrength(app.session, viewport.dragValue);
     if (was != Drag::none) return true;

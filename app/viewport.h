@@ -26,7 +26,20 @@ struct PointerEvent {
 };
 
 // `click`: Shift and the left button are down, and nothing has moved yet.
-enum class Drag { none, stroke, click, gradient, lasso, orbit, pan, zoom, radius, strength };
+enum class Drag {
+    none,
+    stroke,
+    click,
+    gradient,
+    lasso,
+    axis,
+    orbit,
+    pan,
+    zoom,
+    radius,
+    strength
+};
+enum class AxisEnd { root, tip };  // of the arrow of a body segment
 
 struct Viewport {
     vec2 corner{0.0f}, size{1.0f};        // window units, top left
@@ -44,6 +57,8 @@ struct Viewport {
     vec3 strokeAt{0.0f};     // m, world; where the stroke is
     HeldPressure lightTouch;
     std::optional<SkinHit> hit;      // under the pointer
+    std::optional<AxisEnd> axisEnd;  // under the pointer or held (segment_arrow.h)
+    vec3 axisGrip{0.0f};             // m, from the end that is held to the hand
     std::vector<OverlayLine> lines;  // cursor and arrows, for View::lines
 };
 

@@ -94,7 +94,7 @@ Document groomedAnimal(std::size_t triangles) {
         fur[v] = furAt(shape, skin->vertices[v].position, skin->vertices[v].normal);
     });
     smoothDirections(*skin, fur);
-    Groom groom{Chunked<FurVertex>(count, kBareFur), Chunked<float>(count, 0.0f)};
+    Groom groom = evenGroom(*skin, kBareFur);
     for (std::size_t v = 0; v < count; ++v) groom.fur.edit(v) = fur[v];
     return {skin, std::move(groom), animalFur()};
 }

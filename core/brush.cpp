@@ -69,6 +69,7 @@ Stroke::Stroke(const SkinQuery& query, Groom before, Brush brush)
     assert(before_.mask.size() == query.skin().vertices.size());
     for (const Mirroring& mirroring : mirrorings_) images_.emplace_back(mirroring.turned);
     if (brush.tool == Tool::smooth) averages_.emplace(query, before_, kSmoothReach * radius());
+    if (brush.tool == Tool::segment) segments_.emplace(query.skin(), before_, brush_);
 }
 
 void Stroke::dab(Groom& groom, vec3 position, vec3 normal, float pressure) {
@@ -143,6 +144,7 @@ void Stroke::cover(Groom& groom, std::size_t image, const std::vector<CombStep>&
         const Touching by = touching(v, touched);
         writeVertex(groom, v, brushedFur(skin, before_, brush_, v, by),
                     brushedMask(before_, brush_, v, by));
+        if (segments_) segments_->paint(groom, v, by.coverage);
     }
 }
 
@@ -262,6 +264,8 @@ void flood(const SkinQuery& query, Groom& groom, const Brush& brush, vec3 direct
     const Groom before = groom;  // smooth looks at neighbours
     std::optional<Averages> averages;
     if (brush.tool == Tool::smooth) averages.emplace(query, before, kFloodReach * skin.size());
+    std::optional<SegmentPaint> segments;
+    if (brush.tool == Tool::segment) segments.emplace(skin, before, brush);
     Touching touching;
     touching.coverage = touching.turn = 1.0f;
     touching.path = direction;
@@ -269,6 +273,7 @@ void flood(const SkinQuery& query, Groom& groom, const Brush& brush, vec3 direct
         if (averages) touching.around = averages->around(v);
         writeVertex(groom, v, brushedFur(skin, before, brush, v, touching),
                     brushedMask(before, brush, v, touching));
+        if (segments) segments->paint(groom, v, touching.coverage);
     }
 }
 
@@ -276,9 +281,11 @@ void reset(const Skin& skin, Groom& groom, Tool tool) {
     const bool length = tool == Tool::length || tool == Tool::cut || tool == Tool::smooth;
     const bool density = tool == Tool::density || tool == Tool::smooth;
     const bool tint = tool == Tool::tint || tool == Tool::smooth;
-    const bool direction =
-        tool != Tool::mask && (tool == Tool::smooth || !(length || density || tint));
+    const bool direction = tool != Tool::mask && tool != Tool::segment &&
+                           (tool == Tool::smooth || !(length || density || tint));
     const Groom first = initialGroom(skin);
+    std::optional<SegmentPaint> segments;
+    if (tool == Tool::segment) segments.emplace(skin, groom);
     for (uint v = 0; v < skin.vertices.size(); ++v) {
         FurVertex fur = groom.fur[v];
         const float held = groom.mask[v];
@@ -287,6 +294,7 @@ void reset(const Skin& skin, Groom& groom, Tool tool) {
         if (direction) fur.direction = first.fur[v].direction;
         if (tint) fur.tint = vec3(1.0f);
         writeVertex(groom, v, heldBack(fur, groom.fur[v], held), tool == Tool::mask ? 0.0f : held);
+        if (segments) segments->paint(groom, v, 1.0f);
     }
 }
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "averages.h"
+#include "body.h"
 #include "brush_path.h"
 #include "groom.h"
 #include "skin_query.h"
@@ -33,9 +34,10 @@ enum class Tool {
     flatten,
     smooth,
     tint,
-    mask
+    mask,
+    segment
 };
-inline constexpr std::size_t kToolCount = 12;
+inline constexpr std::size_t kToolCount = 13;
 enum class Mode { add, subtract, set, scale };
 enum class Falloff { smooth, linear, sharp, constant };
 
@@ -69,6 +71,7 @@ struct Brush {
     float value = 0.0f;     // for Mode::set: m (length, cut) or [0,1] (density, mask)
     float factor = 0.5f;    // for Mode::scale: [0, kGreatestFactor]
     vec3 color{1.0f};       // of tint: linear RGB, each in [0,1]
+    std::string segment{};  // that segment paints, as segmentNamed takes it (body.h); empty = none
     // The same on the other sides of the planes x = 0, y = 0 and z = 0 of the skin's own space: up
     // to eight images of the path, each moved onto the nearest skin (brush_path.h).
     glm::bvec3 mirror{false};
@@ -87,7 +90,8 @@ float falloffWeight(Falloff falloff, float distance, float radius);
 // A stroke in progress: make it at press, dab it at every move, keep the groom's edit at release.
 class Stroke {
 public:
-    // `before` is the groom when the pointer went down. `query` must outlive the stroke.
+    // `before` is the groom when the pointer went down. `query` must outlive the stroke. Throws
+    // std::runtime_error where the brush names a body segment that is not there.
     Stroke(const SkinQuery& query, Groom before, Brush brush);
 
     // Covers the path from the last point to this one (the first call: the point alone) and writes
@@ -137,6 +141,8 @@ private:
     vec3 lastStep_{0.0f};             // last place at which the comb looked at its direction
     double sinceStep_ = 0.0;          // m of path since then
     std::vector<uint> found_;         // kept between dabs for its memory
+
+    std::optional<SegmentPaint> segments_;  // of segment
 };
 
 // The same tool over the entire skin at full coverage; masked vertices keep their values by the
@@ -147,8 +153,8 @@ private:
 void flood(const SkinQuery& query, Groom& groom, const Brush& brush, vec3 direction = vec3(0.0f));
 
 // Takes back all that the tool's channels were painted with: length, density and direction as in
-// initialGroom, tint 1, mask 0; smooth stands for all channels but the mask. Masked vertices keep
-// their values by the share of the mask.
+// initialGroom, tint 1, mask 0, segments of the source; smooth stands for all that it evens out.
+// Masked vertices keep their values by the share of the mask.
 void reset(const Skin& skin, Groom& groom, Tool tool);
 
 }  // namespace pelage

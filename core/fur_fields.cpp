@@ -48,12 +48,14 @@ const FieldWriter::Written& FieldWriter::written(const SourcePart& part, std::si
                                                  FieldValues values, bool mirrored) {
     for (const Written& old : written_)
         if (old.mesh == part.mesh && old.positions == positions && old.values == values) return old;
-    Written now{part.mesh, positions, std::move(values), 0, 0, 0, 0, {}};
+    Written now{part.mesh, positions, std::move(values), 0, 0, 0, 0, 0, {}};
     const std::size_t count = now.values.length.size();
     now.length = appendFloats(draft_, now.values.length, 1, kLengthName);
     now.density = appendFloats(draft_, now.values.density, 1, kDensityName);
     now.direction = appendFloats(draft_, now.values.direction, 3, kDirectionName);
     if (!now.values.tint.empty()) now.tint = appendFloats(draft_, now.values.tint, 3, kTintName);
+    if (!now.values.segment.empty())
+        now.segment = appendFloats(draft_, now.values.segment, 1, kSegmentName);
     if (mirrored) {
         const float* direction = now.values.direction.data();
         now.mirror[0] = appendFloats(
@@ -90,6 +92,8 @@ void FieldWriter::write(const SourcePart& part, FieldValues values, int firstSet
     primitiveOf(draft_.json, part)["attributes"]["_FUR_DIRECTION"] = fields.direction;
     if (!fields.values.tint.empty())
         primitiveOf(draft_.json, part)["attributes"]["_FUR_TINT"] = fields.tint;
+    if (!fields.values.segment.empty())
+        primitiveOf(draft_.json, part)["attributes"]["_FUR_SEGMENT"] = fields.segment;
     // Set numbers have no gaps (glTF 2.0, section 3.7.2.1): the missing ones are zero.
     for (int set = 0; set < firstSet; ++set) {
         if (primitiveOf(draft_.json, part)["attributes"].contains(texcoord(set))) continue;

@@ -23,6 +23,7 @@ struct FieldValues {
     std::vector<float> length, density;
     std::vector<float> direction;  // x, y, z
     std::vector<float> tint;       // linear RGB; empty to write none
+    std::vector<float> segment;    // number of the body segment, -1 for none; empty to write none
     bool operator==(const FieldValues&) const = default;
 };
 
@@ -40,7 +41,7 @@ private:
         uint mesh;
         std::size_t positions;  // accessor
         FieldValues values;
-        std::size_t length, density, direction, tint;
+        std::size_t length, density, direction, tint, segment;
         std::size_t mirror[3];
     };
     const Written& written(const SourcePart& part, std::size_t positions, FieldValues values,

@@ -16,7 +16,7 @@ bool isMirrorName(const std::string& name) {
 
 bool isOurName(const std::string& name) {
     return name == kLengthName || name == kDensityName || name == kDirectionName ||
-           name == kTintName || isMirrorName(name);
+           name == kTintName || name == kSegmentName || isMirrorName(name);
 }
 
 std::string nameOf(const OrderedJson& object) {
@@ -27,7 +27,7 @@ std::string nameOf(const OrderedJson& object) {
 bool isField(const std::string& attribute) {
     const std::string plain = plainAttribute(attribute);
     return plain == "FUR_LENGTH" || plain == "FUR_DENSITY" || plain == "FUR_DIRECTION" ||
-           plain == "FUR_TINT";
+           plain == "FUR_TINT" || plain == "FUR_SEGMENT";
 }
 
 bool isMirror(const OrderedJson& gltf, const std::string& attribute, const OrderedJson& accessor) {

@@ -17,8 +17,6 @@ OrderedJson array(const float* values, int count) {
     return list;
 }
 
-OrderedJson array(vec3 v) { return array(&v.x, 3); }
-
 // Area-weighted normal of each source vertex; zero where no triangle with an area uses it.
 std::vector<vec3> faceNormals(const Source& source) {
     std::vector<vec3> sums(source.positions.size(), vec3(0.0f));
@@ -114,11 +112,6 @@ OrderedJson primitive(GlbDraft& draft, const Source& source, const Arrays& array
         attributes["TEXCOORD_0"] = addAttribute(draft, source.uvs, part, "texture coordinate");
     if (!arrays.colors.empty())
         attributes["COLOR_0"] = addAttribute(draft, arrays.colors, part, "color");
-    if (!source.segments.empty()) {
-        const auto first = source.segmentOf.begin() + part.firstVertex;
-        const std::vector<float> segments(first, first + part.vertexCount);
-        attributes["_FUR_SEGMENT"] = appendFloats(draft, segments, 1, "body segment");
-    }
     std::vector<uint> indices;
     indices.reserve(std::size_t{part.triangleCount} * 3);
     for (uint t = part.firstTriangle; t < part.firstTriangle + part.triangleCount; ++t)
@@ -127,14 +120,6 @@ OrderedJson primitive(GlbDraft& draft, const Source& source, const Arrays& array
                       {"indices", appendIndices(draft, indices, "triangles")}};
     if (part.material >= 0) entry["material"] = part.material;
     return entry;
-}
-
-OrderedJson segmentList(const Source& source) {
-    OrderedJson list = OrderedJson::array();
-    for (const Segment& segment : source.segments)
-        list.push_back(
-            {{"name", segment.name}, {"root", array(segment.root)}, {"tip", array(segment.tip)}});
-    return list;
 }
 
 }  // namespace
@@ -159,7 +144,6 @@ GlbDraft builtDraft(const Source& source) {
     }
     for (auto& [number, mesh] : meshes) {
         assert(draft.json["meshes"].size() == number);
-        if (!source.segments.empty()) mesh["extras"]["furSegments"] = segmentList(source);
         OrderedJson node{{"mesh", number}};
         if (mesh.contains("name")) node["name"] = mesh["name"];
         if (places[number] != mat4(1.0f)) node["matrix"] = array(&places[number][0].x, 16);

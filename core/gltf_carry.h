@@ -17,8 +17,7 @@ GlbDraft carriedDraft(const CarriedGltf& carried);
 void embedPictures(GlbDraft& draft, const CarriedGltf& carried);
 
 // A glTF of a source that was none: one mesh with one primitive per part. Normals are made unit,
-// as glTF asks; all else is bit for bit. Named segments go to extras.furSegments of the mesh and
-// to _FUR_SEGMENT.
+// as glTF asks; all else is bit for bit.
 GlbDraft builtDraft(const Source& source);
 
 // "image/png", "image/jpeg", "image/webp" or "image/ktx2" by the first bytes, else "".

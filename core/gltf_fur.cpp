@@ -95,17 +95,23 @@ void place(std::vector<T>& all, const SourcePart& part, const std::vector<T>& va
 }
 
 // extras.fur of the object if that is a block: others may mean something else by "fur".
-std::string blockOf(const JsonPlace& place) {
-    if (!place.has("extras")) return {};
-    const Json& extras = place.json().at("extras");
-    if (!extras.is_object() || !extras.contains("fur") || !extras.at("fur").is_object()) return {};
-    return extras.at("fur").dump();
+std::optional<JsonPlace> blockOf(const JsonPlace& place) {
+    if (!place.has("extras") || !place.at("extras").has("fur")) return std::nullopt;
+    const JsonPlace block = place.at("extras").at("fur");
+    return block.json().is_object() ? std::optional(block) : std::nullopt;
 }
 
-std::string firstBlock(const GltfFile& file, const char* section) {
-    for (std::size_t i = 0; i < file.count(section); ++i)
-        if (std::string block = blockOf(file.element(section, i)); !block.empty()) return block;
-    return {};
+std::optional<JsonPlace> blockOf(const GltfFile& file) {
+    for (const char* section : {"meshes", "nodes"})
+        for (std::size_t i = 0; i < file.count(section); ++i)
+            if (const auto block = blockOf(file.element(section, i))) return block;
+    return blockOf(file.root().at("asset"));
+}
+
+Segment segmentFrom(const JsonPlace& place) {
+    const auto root = place.numbers("root", 3), tip = place.numbers("tip", 3);
+    if (root.empty() || tip.empty()) place.refuse("has no root or no tip");
+    return {place.string("name"), vec3(root[0], root[1], root[2]), vec3(tip[0], tip[1], tip[2])};
 }
 
 }  // namespace
@@ -158,34 +164,33 @@ void warnMissingFields(GltfFile& file, const Source& source) {
     }
 }
 
-void readFurSegments(GltfFile& file, Source& source, const SourcePart& part, const JsonPlace& mesh,
-                     const JsonPlace& primitive) {
-    const auto numbers = field(file, part, primitive, "fur_segment", 1);
-    const auto extras = mesh.has("extras") ? std::optional(mesh.at("extras")) : std::nullopt;
-    if (!numbers || !extras || !extras->has("furSegments")) return;
-    if (source.segments.empty()) {
-        const JsonPlace list = *extras->array("furSegments");
-        for (std::size_t s = 0; s < list.size(); ++s) {
-            const auto root = list.at(s).numbers("root", 3), tip = list.at(s).numbers("tip", 3);
-            if (root.empty() || tip.empty()) list.at(s).refuse("has no root or no tip");
-            source.segments.push_back({list.at(s).string("name"), vec3(root[0], root[1], root[2]),
-                                       vec3(tip[0], tip[1], tip[2])});
+bool readFurSegments(GltfFile& file, Source& source) {
+    const auto block = blockOf(file);
+    const auto list = block ? block->array("segments") : std::nullopt;
+    if (!list) return false;
+    for (std::size_t s = 0; s < list->size(); ++s)
+        source.segments.push_back(segmentFrom(list->at(s)));
+    source.segmentOf.assign(source.positions.size(), kNoSegment);
+    for (const SourcePart& part : source.parts) {
+        const JsonPlace primitive =
+            file.element("meshes", part.mesh).at("primitives").at(part.primitive);
+        const auto numbers = field(file, part, primitive, "fur_segment", 1);
+        for (uint v = 0; numbers && v < part.vertexCount; ++v) {
+            const float number = (*numbers)[v];
+            if (number == -1.0f) continue;
+            if (!(number >= 0.0f && number < static_cast<float>(source.segments.size())))
+                primitive.refuse("_FUR_SEGMENT names one of " +
+                                 std::to_string(source.segments.size()) +
+                                 " segments that is not there");
+            source.segmentOf[part.firstVertex + v] = static_cast<uint>(number);
         }
     }
-    source.segmentOf.resize(part.firstVertex, 0);
-    for (const float number : *numbers) {
-        if (!(number >= 0.0f && number < static_cast<float>(source.segments.size()))) {
-            primitive.refuse("_FUR_SEGMENT names one of " + std::to_string(source.segments.size()) +
-                             " segments that is not there");
-        }
-        source.segmentOf.push_back(static_cast<uint>(number));
-    }
+    return true;
 }
 
 std::string furBlock(const GltfFile& file) {
-    for (const char* section : {"meshes", "nodes"})
-        if (std::string block = firstBlock(file, section); !block.empty()) return block;
-    return blockOf(file.root().at("asset"));
+    const auto block = blockOf(file);
+    return block ? block->json().dump() : std::string();
 }
 
 }  // namespace pelage

@@ -10,6 +10,7 @@
 #include "gltf_material.h"
 #include "gltf_nodes.h"
 #include "gltf_skin.h"
+#include "segment_parts.h"
 #include "source_check.h"
 
 namespace pelage {
@@ -192,10 +193,10 @@ void placePart(Reading& to, SourcePart& part, const JsonPlace& primitive, std::s
             to.source.vertexToWorld.resize(earlier.firstVertex + earlier.vertexCount,
                                            earlier.toWorld);
         }
-        to.source.segmentOf.assign(part.firstVertex, 0xffffffffu);
+        to.source.segmentOf.assign(part.firstVertex, kNoSegment);
     }
     to.source.vertexToWorld.resize(part.firstVertex + part.vertexCount, part.toWorld);
-    to.source.segmentOf.resize(part.firstVertex + part.vertexCount, 0xffffffffu);
+    to.source.segmentOf.resize(part.firstVertex + part.vertexCount, kNoSegment);
     if (!skinned) return;
     to.skins.bind(to.source, part, primitive, node);
     part.toWorld = to.source.vertexToWorld[part.firstVertex];
@@ -248,8 +249,18 @@ void readPrimitive(Reading& to, std::size_t m, std::size_t p) {
     readVertices(to, part, mesh, primitive, node);
     placePart(to, part, primitive, node);
     readFurFields(to.file, to.source, part, primitive);
-    if (to.source.vertexToWorld.empty()) readFurSegments(to.file, to.source, part, mesh, primitive);
     to.source.parts.push_back(std::move(part));
+}
+
+// Of each mesh: the name of the node that shows it, else its own.
+std::vector<std::string> placeNames(const GltfFile& file, const Nodes& nodes) {
+    std::vector<std::string> names;
+    for (std::size_t m = 0; m < nodes.placeOf.size(); ++m) {
+        const std::size_t node = nodes.placeOf[m];
+        names.push_back(node == kNoNode ? "" : file.element("nodes", node).string("name"));
+        if (names.back().empty()) names.back() = file.element("meshes", m).string("name");
+    }
+    return names;
 }
 
 }  // namespace
@@ -272,7 +283,13 @@ Source readGltf(std::span<const std::byte> bytes, const std::string& path, Progr
                 progress->report(0.2f + 0.7f * static_cast<float>(m) / static_cast<float>(meshes));
         }
     }
-    if (!source.vertexToWorld.empty()) skins.nameSegments(source);
+    if (readFurSegments(file, source)) {
+        source.segmentsKept = true;
+    } else if (!source.vertexToWorld.empty()) {
+        skins.nameSegments(source);
+    } else {
+        segmentsFromParts(source, placeNames(file, nodes));
+    }
     warnMissingFields(file, source);
     source.furBlock = furBlock(file);
     source.carried = file.carried;

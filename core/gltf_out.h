@@ -15,10 +15,11 @@ struct ExportOptions {
 
 // The file as bytes. _FUR_LENGTH, _FUR_DENSITY (float SCALAR) and _FUR_DIRECTION (float VEC3, mesh
 // space) on every primitive of triangles, and _FUR_TINT (float VEC3) where some hair of the
-// document is tinted; extras.fur on meshes and the nodes that place them. All else of a glTF source
-// is carried through: the JSON value for value, buffers byte for byte, external files embedded.
-// Other sources become one mesh with the source's vertices in their order. Throws
-// std::runtime_error.
+// document is tinted; extras.fur on meshes and the nodes that place them. The list of body segments
+// in it, and _FUR_SEGMENT (float SCALAR), where they are not what the file gives without them. All
+// else of a glTF source is carried through: the JSON value for value, buffers byte for byte,
+// external files embedded. Other sources become one mesh with the source's vertices in their order.
+// Throws std::runtime_error.
 std::vector<std::byte> groomedGlb(const Document& document, const ExportOptions& options = {},
                                   Progress* progress = nullptr);
 

@@ -2,10 +2,10 @@
 #include "gltf_skin.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "gltf_accessor.h"
+#include "segment_parts.h"
 
 namespace pelage {
 namespace {
@@ -17,12 +17,6 @@ mat4 matrixAt(const std::vector<float>& values, std::size_t index) {
     for (int i = 0; i < 16; ++i)
         out[i / 4][i % 4] = values[index * 16 + static_cast<std::size_t>(i)];
     return out;
-}
-
-bool saysHead(std::string name) {
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return name.find("head") != std::string::npos;
 }
 
 // One set of four joints and weights per vertex.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "segment_comb.h"
+
 namespace pelage {
 namespace {
 
@@ -46,23 +48,17 @@ vec3 combNear(std::span<const Segment> segments, uint own, vec3 p, float size) {
     return length > 1e-6f ? sum / length : kDownAndBack;
 }
 
-// Laid on the skin; shorter where the skin faces along it and no direction is right.
-vec3 laidOnSkin(vec3 comb, vec3 normal) {
-    const vec3 tangential = comb - glm::dot(comb, normal) * normal;
-    return kLean * tangential / std::max(glm::length(tangential), 0.4f);
-}
-
 // What a mesh has that nobody has groomed.
 void paintFirst(const Skin& skin, Groom& groom) {
-    const std::span<const Segment> segments = skin.segments();
+    const std::span<const Segment> segments = groom.body();
     const float size = skin.size();
     for (uint v = 0; v < skin.vertices.size(); ++v) {
         const SkinVertex& vertex = skin.vertices[v];
         const vec3 comb = segments.empty()
                               ? kDownAndBack
-                              : combNear(segments, vertex.segment, vertex.position, size);
+                              : combNear(segments, groom.segmentOf[v], vertex.position, size);
         FurVertex fur = kBareFur;
-        fur.direction = laidOnSkin(comb, vertex.normal);
+        fur.direction = kLean * laidOnSkin(comb, vertex.normal);
         fur.furLength = firstLength(skin);
         fur.density = 1.0f;
         groom.fur.edit(v) = furToMesh(skin, v, fur);
@@ -73,9 +69,25 @@ void paintFirst(const Skin& skin, Groom& groom) {
 
 float firstLength(const Skin& skin) { return 0.04f * skin.size(); }
 
+Groom evenGroom(const Skin& skin, const FurVertex& fur) {
+    const std::size_t count = skin.vertices.size();
+    const Source& source = *skin.source;
+    Groom groom{Chunked<FurVertex>(count, fur), Chunked<float>(count, 0.0f),
+                Chunked<uint>(count, kNoSegment), nullptr};
+    if (source.segments.empty()) return groom;
+    groom.segments = {skin.source, &source.segments};
+    if (source.segmentOf.empty()) return groom;
+    const std::vector<uint> first = firstSourceVertex(skin);
+    for (uint v = 0; v < count; ++v) {
+        const uint segment = source.segmentOf[first[v]];
+        if (segment < source.segments.size()) groom.segmentOf.edit(v) = segment;
+    }
+    return groom;
+}
+
 Groom initialGroom(const Skin& skin) {
     const std::size_t count = skin.vertices.size();
-    Groom groom{Chunked<FurVertex>(count, kBareFur), Chunked<float>(count, 0.0f)};
+    Groom groom = evenGroom(skin, kBareFur);
     const SourceFur* carried = skin.source->fur.get();
     const bool complete = carried && !carried->length.empty() && !carried->density.empty() &&
                           !carried->direction.empty();

@@ -1,6 +1,10 @@
 // groom.h -- what is painted on the skin, and the operations on all of it.
 #pragma once
 
+#include <memory>
+#include <span>
+#include <vector>
+
 #include "chunked.h"
 #include "skin.h"
 #include "types.h"
@@ -8,8 +12,16 @@
 namespace pelage {
 
 struct Groom {
-    Chunked<FurVertex> fur;  // one per skin vertex, in the mesh space of the file
-    Chunked<float> mask;     // one per skin vertex, [0,1]; 1 = no brush changes it. Never saved
+    // One value per skin vertex.
+    Chunked<FurVertex> fur;   // in the mesh space of the file
+    Chunked<float> mask;      // [0,1]; 1 = no brush changes it. Never saved
+    Chunked<uint> segmentOf;  // into body(), or kNoSegment
+    // The parts of the body, replaced as a whole where one changes; null = none.
+    std::shared_ptr<const std::vector<Segment>> segments;
+
+    std::span<const Segment> body() const {
+        return segments ? std::span<const Segment>(*segments) : std::span<const Segment>();
+    }
 
     bool operator==(const Groom&) const = default;  // the same chunks, not merely equal values
 };
@@ -22,6 +34,9 @@ inline constexpr FurVertex kBareFur{vec3(0.0f), 0.0f, vec3(1.0f), 0.0f};
 
 // Length of hair that nobody has painted, m: 4 % of the bounds' diagonal.
 float firstLength(const Skin& skin);
+
+// The same hair at every vertex, no mask, and the body segments of the source.
+Groom evenGroom(const Skin& skin, const FurVertex& fur);
 
 // The groom of a mesh that nobody has groomed yet: of that length, density 1, combed towards the
 // tail where the skin has segments, otherwise down and back for an animal that looks along +z; in

@@ -18,6 +18,7 @@ namespace pelage {
 // Vertices are the v lines in their order, also those that no face uses; a further texture
 // coordinate of the same v makes a further vertex after them. The v of texture coordinates is
 // turned to glTF's (0 at the top). The picture is that of map_Kd, else one named like the file.
+// Several materials, objects or groups become body segments (segment_parts.h).
 Source readObj(std::span<const std::byte> bytes, const std::string& path,
                Progress* progress = nullptr);
 

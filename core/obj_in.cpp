@@ -9,6 +9,7 @@
 #include "beside.h"
 #include "mesh_build.h"
 #include "mesh_in.h"
+#include "obj_pieces.h"
 #include "source_check.h"
 #include "text.h"
 #include "text_scan.h"
@@ -39,6 +40,7 @@ struct ObjRead {
     std::array<Farthest, 3> farthest{};
     std::string library, material;  // of the first mtllib and usemtl
     std::size_t materials = 0;
+    ObjPieces pieces;
     std::vector<uint> polygon, polygonUvs;  // of the current face
 };
 
@@ -132,6 +134,10 @@ void readLine(ObjRead& read) {
         const std::string_view name = read.scan.rest();
         if (read.material.empty()) read.material = name;
         if (name != read.material) ++read.materials;
+        read.pieces.begin(ObjPieces::kMaterial, name, read.build.source.triangles.size());
+    } else if (key == "o" || key == "g") {
+        read.pieces.begin(key == "o" ? ObjPieces::kObject : ObjPieces::kGroup, read.scan.rest(),
+                          read.build.source.triangles.size());
     }
     read.scan.nextLine();
 }
@@ -267,7 +273,9 @@ Source readObj(std::span<const std::byte> bytes, const std::string& path, Progre
     read.build.source.fileVertices = read.build.source.positions.size();
     splitByUv(read);
     addMaterial(read);
-    return read.build.finish();
+    Source source = read.build.finish();
+    read.pieces.nameSegments(source);
+    return source;
 }
 
 }  // namespace pelage

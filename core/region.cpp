@@ -6,16 +6,14 @@
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <queue>
-#include <stdexcept>
 #include <utility>
 
+#include "body.h"
 #include "narrow.h"
-#include "text.h"
 
 namespace pelage {
 namespace {
@@ -83,18 +81,6 @@ std::vector<float> spread(const Skin& skin, const std::vector<bool>& seeds, floa
         }
     }
     return weightsOf(skin, [&](uint v) { return fade(distance[v], falloff); });
-}
-
-std::size_t segmentNamed(const Skin& skin, const std::string& name) {
-    const std::span<const Segment> segments = skin.segments();
-    for (std::size_t s = 0; s < segments.size(); ++s)
-        if (segments[s].name == name) return s;
-    std::size_t number = segments.size();
-    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-    if (error != std::errc{} || end != name.data() + name.size() || number >= segments.size())
-        throw std::runtime_error("no segment " + inQuotes(name) + " among the " +
-                                 std::to_string(segments.size()) + " of this skin");
-    return number;
 }
 
 // A lasso ready to test points: its polygon in units of half the picture's height.
@@ -184,9 +170,9 @@ std::vector<float> regionWeights(const SkinQuery& query, const Groom& groom, con
             });
         }
         case Where::segment: {
-            const std::size_t segment = segmentNamed(skin, region.segment);
+            const uint segment = segmentNamed(groom.body(), region.segment);
             std::vector<bool> seeds(skin.vertices.size());
-            for (uint v = 0; v < seeds.size(); ++v) seeds[v] = skin.vertices[v].segment == segment;
+            for (uint v = 0; v < seeds.size(); ++v) seeds[v] = groom.segmentOf[v] == segment;
             return spread(skin, seeds, falloff);
         }
         case Where::mask: {

@@ -22,7 +22,7 @@ struct Region {
     float radius = 0.1f;     // of the sphere; 0 = the centre and its falloff
     vec3 half{0.1f};         // of the box, half of each side
     vec3 turn{0.0f};         // rad, world; the box is turned about this axis by its length
-    std::string segment{};   // its name, or its number from 0 when none has that name
+    std::string segment{};   // as segmentNamed takes it (body.h)
     float width = 0.02f;     // narrow: where the skin is thinner than this
     float curvature = 0.0f;  // 1/m; curved: where the mean curvature exceeds this, out or in
     float falloff = 0.0f;    // in what the border is measured: m; 1/m for curved; for the lasso in

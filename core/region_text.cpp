@@ -38,36 +38,6 @@ void expectWord(Words& words, std::string_view expected) {
         throw std::runtime_error("expects " + std::string(expected) + " and not " + inQuotes(word));
 }
 
-std::string nameText(std::string_view name) {
-    std::string text;
-    for (const char c : name) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte > 0x20 && byte != 0x7f && byte != '%') {
-            text += c;
-            continue;
-        }
-        constexpr char kDigits[] = "0123456789ABCDEF";
-        text += {'%', kDigits[byte >> 4], kDigits[byte & 15]};
-    }
-    return text;
-}
-
-std::string nameFromText(std::string_view text) {
-    std::string name;
-    while (!text.empty()) {
-        unsigned byte = 0;
-        const bool escaped = text.front() == '%';
-        if (escaped) {
-            const char* begin = text.data() + 1;
-            if (text.size() < 3 || std::from_chars(begin, begin + 2, byte, 16).ptr != begin + 2)
-                throw std::runtime_error("no two hexadecimal digits after % in " + inQuotes(text));
-        }
-        name += escaped ? static_cast<char>(static_cast<unsigned char>(byte)) : text.front();
-        text.remove_prefix(escaped ? 3 : 1);
-    }
-    return name;
-}
-
 // The points of the lasso, up to the first word that is no number, which it returns.
 std::string_view readPolygon(Words& words, std::vector<vec2>& polygon) {
     std::string_view word = words.next();
@@ -107,9 +77,7 @@ RegionEdit readEdit(Words& words) {
     return change;
 }
 
-void add(std::string& text, vec3 numbers) {
-    for (int i = 0; i < 3; ++i) text += ' ' + floatText(numbers[i]);
-}
+void add(std::string& text, vec3 numbers) { text += ' ' + pointText(numbers); }
 
 std::string channelName(Channel channel) {
     return channel == Channel::length    ? "length"
@@ -147,7 +115,7 @@ Region regionNamed(std::string_view where, Words& words) {
             region.half = pointAfter(words, "half");
             break;
         case Where::segment:
-            region.segment = nameFromText(words.next());
+            region.segment = textOfWord(words.next());
             break;
         case Where::narrow:
             region.width = number(words, "narrow", 0.0f);
@@ -200,7 +168,7 @@ std::string regionText(const Region& region) {
             if (region.turn != vec3(0.0f)) add(text += " turn", region.turn);
             break;
         case Where::segment:
-            text += ' ' + nameText(region.segment);
+            text += ' ' + wordText(region.segment);
             break;
         case Where::narrow:
             text += ' ' + floatText(region.width);

@@ -7,7 +7,7 @@
 // CHANNEL: length | density | direction
 // ACT:    scale FACTOR | set VALUE (direction: set x y z) | smooth [SHARE]
 //         | randomise SHARE [seed N]
-// Blanks and % in the NAME of a segment are written as %20 and %25.
+// NAME is the word of a segment (segment_text.h).
 #pragma once
 
 #include <string>

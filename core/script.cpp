@@ -166,6 +166,8 @@ void runReset(Workspace& workspace, Words& words) {
 
 void runSegmentLine(Workspace& workspace, Words& words) { runSegment(editorOf(workspace), words); }
 
+void runBodyLine(Workspace& workspace, Words& words) { runBody(editorOf(workspace), words); }
+
 void runComb(Workspace& workspace, Words& words) { runHeadToTail(editorOf(workspace), words); }
 
 void runRegion(Workspace& workspace, Words& words) {
@@ -207,7 +209,7 @@ struct Command {
     const char* name;
     void (*run)(Workspace&, Words&);
 };
-constexpr std::array<Command, 15> kCommands{{{"open", runOpen},
+constexpr std::array<Command, 16> kCommands{{{"open", runOpen},
                                              {"animal", runAnimal},
                                              {"preset", runPreset},
                                              {"set", runSet},
@@ -215,6 +217,7 @@ constexpr std::array<Command, 15> kCommands{{{"open", runOpen},
                                              {"flood", runFlood},
                                              {"reset", runReset},
                                              {"segment", runSegmentLine},
+                                             {"body", runBodyLine},
                                              {"comb", runComb},
                                              {"region", runRegion},
                                              {"gradient", runGradientLine},

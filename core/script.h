@@ -16,6 +16,7 @@
 //   mask from length|density|WHERE ...
 //   reset TOOL                             what the tool paints, as it was before any painting
 //   segment NAME [axis x y z] [weight W]  combs a body segment along its own axis or this one
+//   body add|move|rename|remove NAME ...   the list of body segments, as segment_text.h says
 //   comb head-to-tail [weight W]           combs the whole body along its segments
 //   undo
 //   redo
@@ -25,7 +26,8 @@
 // `pressure` stands last and adds a seventh number to each point, [0,1], by which the brush presses
 // there; strength is 0.5 for a stroke and 1 for a flood unless said. Only comb takes a direction,
 // and a flood of it needs one; only tint takes a color, linear RGB and 1 1 1 unless said; cut needs
-// a value; part and clump cannot flood. Undo and redo at the end of the history do nothing. Numbers
+// a value; after the tool segment comes the NAME of a body segment, as segment_text.h writes it, or
+// # for none; part and clump cannot flood. Undo and redo at the end of the history do nothing. Numbers
 // are written so that they read back bit for bit. PATH and NAME of a preset are the rest of the
 // line.
 #pragma once

@@ -2,6 +2,7 @@
 #include "script_text.h"
 
 #include <algorithm>
+#include <charconv>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -47,6 +48,8 @@ const ToolInfo& toolNamed(std::string_view word) {
 std::string toolText(const Brush& brush) {
     const ToolInfo& tool = toolInfo(brush.tool);
     std::string text = tool.name;
+    if (brush.tool == Tool::segment)
+        text += brush.segment.empty() ? " #" : ' ' + wordText(brush.segment);
     const Mode mode = modeOf(brush);
     if (tool.hasSet || mode == Mode::subtract)
         text += std::string(" ") + modeNames()[static_cast<std::size_t>(mode)];
@@ -94,6 +97,36 @@ std::string_view Words::path() {
     return rest_;
 }
 
+std::string wordText(std::string_view text) {
+    std::string word;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte > 0x20 && byte != 0x7f && byte != '%') {
+            word += c;
+            continue;
+        }
+        constexpr char kDigits[] = "0123456789ABCDEF";
+        word += {'%', kDigits[byte >> 4], kDigits[byte & 15]};
+    }
+    return word;
+}
+
+std::string textOfWord(std::string_view word) {
+    std::string text;
+    while (!word.empty()) {
+        unsigned byte = 0;
+        const bool escaped = word.front() == '%';
+        if (escaped) {
+            const char* begin = word.data() + 1;
+            if (word.size() < 3 || std::from_chars(begin, begin + 2, byte, 16).ptr != begin + 2)
+                throw std::runtime_error("no two hexadecimal digits after % in " + inQuotes(word));
+        }
+        text += escaped ? static_cast<char>(static_cast<unsigned char>(byte)) : word.front();
+        word.remove_prefix(escaped ? 3 : 1);
+    }
+    return text;
+}
+
 float numberFrom(std::string_view word, std::string_view what, float least, float greatest) {
     const std::optional<float> number = floatFromText(word);
     if (!number || *number < least || *number > greatest)
@@ -106,11 +139,14 @@ float numberAfter(Words& words, std::string_view what, float least, float greate
     return numberFrom(words.next(), what, least, greatest);
 }
 
-vec3 pointAfter(Words& words, std::string_view what) {
-    constexpr float kMost = 1e6f;  // m; also keeps squares of it finite
-    vec3 read(0.0f);
-    for (int i = 0; i < 3; ++i) read[i] = numberAfter(words, what, -kMost, kMost);
-    return read;
+vec3 pointAfter(Words& words, std::string_view what, float greatest) {
+    vec3 point(0.0f);
+    for (int i = 0; i < 3; ++i) point[i] = numberAfter(words, what, -greatest, greatest);
+    return point;
+}
+
+std::string pointText(vec3 point) {
+    return floatText(point.x) + ' ' + floatText(point.y) + ' ' + floatText(point.z);
 }
 
 BrushWords brushFromWords(Words& words, bool ofStroke) {
@@ -118,6 +154,11 @@ BrushWords brushFromWords(Words& words, bool ofStroke) {
     BrushWords found;
     Brush& brush = found.brush;
     brush.tool = toolNamed(words.next()).tool;
+    if (brush.tool == Tool::segment) {
+        brush.segment = textOfWord(words.next());
+        if (brush.segment.empty()) throw std::runtime_error("the brush names no body segment");
+        if (brush.segment == "#") brush.segment.clear();
+    }
     if (!ofStroke) brush.strength = 1.0f;
     const ToolInfo& tool = toolInfo(brush.tool);
     bool radius = false, value = false;

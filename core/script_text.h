@@ -31,14 +31,22 @@ private:
     std::string_view rest_;
 };
 
-// The row of the tool table. Throws std::runtime_error that lists the tools.
-const ToolInfo& toolNamed(std::string_view word);
+// The text as one word, with blanks, control characters and % written as %20 and so on; and back.
+// The latter throws std::runtime_error naming what is no such word.
+std::string wordText(std::string_view text);
+std::string textOfWord(std::string_view word);
 
-// A word, or the next one, as a number within these bounds; three of them. Throw
-// std::runtime_error that says what the number is of.
+// The word, or the next one, or the next three, as numbers. Throws std::runtime_error "WHAT \"x\"
+// is no number from LEAST to GREATEST".
 float numberFrom(std::string_view word, std::string_view what, float least, float greatest);
 float numberAfter(Words& words, std::string_view what, float least, float greatest);
-vec3 pointAfter(Words& words, std::string_view what);
+// `greatest` of the three: 1e6 keeps squares of them finite.
+vec3 pointAfter(Words& words, std::string_view what, float greatest = 1e6f);
+// "0.5 1 2"
+std::string pointText(vec3 point);
+
+// The row of the tool table. Throws std::runtime_error that lists the tools.
+const ToolInfo& toolNamed(std::string_view word);
 
 struct BrushWords {
     Brush brush;

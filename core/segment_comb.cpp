@@ -5,11 +5,9 @@
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
-#include "text.h"
 #include "tools.h"
 
 namespace pelage {
@@ -35,9 +33,9 @@ struct Level {
     std::size_t size() const { return wish.size(); }
 };
 
-Level finest(const Skin& skin) {
+Level finest(const Skin& skin, const Groom& groom) {
     const std::size_t count = skin.vertices.size();
-    const std::span<const Segment> segments = skin.segments();
+    const std::span<const Segment> body = groom.body();
     Level level{skin.ringFirst, skin.rings, std::vector<float>(count, 0.0f),
                 std::vector<vec3>(count)};
     const float reach = kReach * skin.size();
@@ -45,11 +43,11 @@ Level finest(const Skin& skin) {
     for (std::size_t t = 0; t < skin.triangles.size(); ++t)
         for (int c = 0; c < 3; ++c) level.hold[skin.triangles[t][c]] += perArea * skin.areas[t];
     tbb::parallel_for(std::size_t(0), count, [&](std::size_t v) {
-        const SkinVertex& vertex = skin.vertices[v];
-        const vec3 axis =
-            vertex.segment < segments.size() ? axisOf(segments[vertex.segment]) : vec3(0.0f);
+        const uint segment = groom.segmentOf[v];
+        const vec3 axis = segment == kNoSegment ? vec3(0.0f) : axisOf(body[segment]);
         if (axis == vec3(0.0f)) level.hold[v] = 0.0f;
-        level.wish[v] = axis - glm::dot(axis, vertex.normal) * vertex.normal;
+        const vec3 normal = skin.vertices[v].normal;
+        level.wish[v] = axis - glm::dot(axis, normal) * normal;
     });
     return level;
 }
@@ -149,12 +147,6 @@ void mixIn(const Skin& skin, Groom& groom, uint v, vec3 direction, float weight)
     if (finite(mixed) && mixed != old.direction) groom.fur.edit(v).direction = mixed;
 }
 
-// Whether a name stands in a line of script as it is, and means nothing else there.
-bool oneWord(const std::string& name) {
-    return !name.empty() && name[0] != '#' && name != "axis" && name != "weight" &&
-           std::ranges::none_of(name, [](unsigned char c) { return c <= ' ' || c == 0x7f; });
-}
-
 }  // namespace
 
 vec3 laidOnSkin(vec3 comb, vec3 normal) {
@@ -169,23 +161,22 @@ vec3 axisOf(const Segment& segment) {
 }
 
 void combSegment(const Skin& skin, Groom& groom, uint segment, vec3 axis, float weight) {
-    assert(segment < skin.segments().size() && weight >= 0.0f && weight <= 1.0f);
+    assert(segment < groom.body().size() && weight >= 0.0f && weight <= 1.0f);
     const vec3 along = axisOf({"", vec3(0.0f), axis});
     assert(along != vec3(0.0f));
     for (uint v = 0; v < skin.vertices.size(); ++v) {
-        const SkinVertex& vertex = skin.vertices[v];
-        if (vertex.segment == segment)
-            mixIn(skin, groom, v, laidOnSkin(along, vertex.normal), weight);
+        if (groom.segmentOf[v] == segment)
+            mixIn(skin, groom, v, laidOnSkin(along, skin.vertices[v].normal), weight);
     }
 }
 
-std::vector<vec3> headToTail(const Skin& skin) {
+std::vector<vec3> headToTail(const Skin& skin, const Groom& groom) {
     const auto hasAxis = [](const Segment& segment) { return axisOf(segment) != vec3(0.0f); };
-    if (std::ranges::none_of(skin.segments(), hasAxis))
-        throw std::runtime_error(skin.segments().empty()
+    if (std::ranges::none_of(groom.body(), hasAxis))
+        throw std::runtime_error(groom.body().empty()
                                      ? "the mesh has no body segments to comb along"
                                      : "no body segment of the mesh has an axis to comb along");
-    std::vector<vec3> field = solved(finest(skin));
+    std::vector<vec3> field = solved(finest(skin, groom));
     tbb::parallel_for(std::size_t(0), field.size(), [&](std::size_t v) {
         field[v] = laidOnSkin(field[v], skin.vertices[v].normal);
     });
@@ -194,33 +185,9 @@ std::vector<vec3> headToTail(const Skin& skin) {
 
 void combHeadToTail(const Skin& skin, Groom& groom, float weight) {
     assert(weight >= 0.0f && weight <= 1.0f);
-    const std::vector<vec3> field = headToTail(skin);
+    const std::vector<vec3> field = headToTail(skin, groom);
     for (uint v = 0; v < field.size(); ++v)
         if (field[v] != vec3(0.0f)) mixIn(skin, groom, v, field[v], weight);
-}
-
-uint segmentNamed(const Skin& skin, std::string_view name) {
-    const std::span<const Segment> segments = skin.segments();
-    if (segments.empty()) throw std::runtime_error("the mesh has no body segments");
-    std::string known;
-    for (uint s = 0; s < segments.size(); ++s) {
-        if (segments[s].name == name) return s;
-        known += (s > 0 ? ", " : "") + inQuotes(segments[s].name);
-    }
-    if (name.starts_with('#')) {
-        uint number = kNone;
-        const char* end = name.data() + name.size();
-        const auto [stopped, error] = std::from_chars(name.data() + 1, end, number);
-        if (error == std::errc{} && stopped == end && number < segments.size()) return number;
-    }
-    throw std::runtime_error("no body segment " + inQuotes(name) + "; there are " + known);
-}
-
-std::string nameOfSegment(const Skin& skin, uint segment) {
-    const std::string& name = skin.segments()[segment].name;
-    const auto first = std::ranges::find(skin.segments(), name, &Segment::name);
-    const bool own = first == skin.segments().begin() + segment;
-    return own && oneWord(name) ? name : "#" + std::to_string(segment);
 }
 
 }  // namespace pelage

@@ -22,8 +22,6 @@
 // alone, and the result is the same bit for bit with any number of threads.
 #pragma once
 
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "groom.h"
@@ -46,18 +44,11 @@ void combSegment(const Skin& skin, Groom& groom, uint segment, vec3 axis, float 
 
 // The smooth field at each vertex: world, on the tangent plane, at most as long as 1, and shorter
 // where hair parts (at the nose) or meets. Zero on pieces of the mesh that no axis reaches. Throws
-// std::runtime_error where the skin has no segment with an axis.
-std::vector<vec3> headToTail(const Skin& skin);
+// std::runtime_error where the groom has no segment with an axis.
+std::vector<vec3> headToTail(const Skin& skin, const Groom& groom);
 
 // Mixes that field into the direction of every vertex, as combSegment does. Vertices that no axis
 // reaches keep theirs.
 void combHeadToTail(const Skin& skin, Groom& groom, float weight);
-
-// The segment of that name, or "#N", N from 0, for the one at that place. Throws
-// std::runtime_error that lists the names.
-uint segmentNamed(const Skin& skin, std::string_view name);
-// One word that segmentNamed finds it by: its name, or "#N" where that is no word of its own or an
-// earlier segment has the same.
-std::string nameOfSegment(const Skin& skin, uint segment);
 
 }  // namespace pelage

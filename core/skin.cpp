@@ -120,7 +120,6 @@ std::vector<uint> placeVertices(Skin& skin, const std::vector<uint>& part) {
         sourceOf[v] = order[v].vertex;
         skin.weld[order[v].vertex] = v;
         skin.vertices[v].position = world[order[v].vertex];
-        if (!source.segmentOf.empty()) skin.vertices[v].segment = source.segmentOf[order[v].vertex];
     }
     for (uint v = 0; v < world.size(); ++v) skin.weld[v] = skin.weld[first[v]];
     return sourceOf;

@@ -58,7 +58,6 @@ struct Skin {
     float size() const;
     // Middle of the bounds.
     vec3 center() const { return 0.5f * (lower + upper); }
-    std::span<const Segment> segments() const { return source->segments; }
 };
 
 // Welds, sorts, and counts what is wrong with the mesh. Topology comes from an OpenMesh half-edge

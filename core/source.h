@@ -39,6 +39,9 @@ struct SourceImage {
     std::vector<std::byte> bytes;
 };
 
+// The number of no body segment.
+inline constexpr uint kNoSegment = ~0u;
+
 // A named part of the body with the axis along which fur usually lies.
 struct Segment {
     std::string name;
@@ -63,7 +66,7 @@ struct Source {
     std::vector<vec3> normals;
     std::vector<vec2> uvs;        // of the base-color texture; v = 0 at the top (glTF)
     std::vector<vec4> colors;     // COLOR_0, linear RGBA
-    std::vector<uint> segmentOf;  // into segments: the dominant joint, or what the maker says
+    std::vector<uint> segmentOf;  // into segments, or kNoSegment: as the list below says
     // For skinned vertices the matrix from mesh space to the world at rest; empty when no part is
     // skinned, and then SourcePart::toWorld holds for all its vertices.
     std::vector<mat4> vertexToWorld;
@@ -71,7 +74,11 @@ struct Source {
     std::vector<SourcePart> parts;
     std::vector<SourceMaterial> materials;
     std::vector<SourceImage> images;
+    // What an earlier groom left; else the joints of a skin, each with the vertices that it holds
+    // most; else the materials or, where all is of one, the nodes or groups that have a name. Or
+    // what the maker says.
     std::vector<Segment> segments;
+    bool segmentsKept = false;          // by an earlier groom
     std::unique_ptr<SourceFur> fur;     // null when the file has no fur fields
     std::string furBlock;               // the JSON of extras.fur, empty when there is none
     std::size_t fileVertices = 0;       // vertices as the file counts them (OBJ: its v lines)

@@ -46,7 +46,7 @@ void finishSource(Source& source, const std::string& file) {
     complete(source.normals, count, vec3(0.0f));
     complete(source.uvs, count, vec2(0.0f));
     complete(source.colors, count, vec4(1.0f));
-    complete(source.segmentOf, count, 0u);
+    complete(source.segmentOf, count, kNoSegment);
     complete(source.vertexToWorld, count, mat4(1.0f));
     if (source.fur) {
         complete(source.fur->length, count, 0.0f);

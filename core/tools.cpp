@@ -35,6 +35,8 @@ constexpr std::array<ToolInfo, kToolCount> kTools{{
      0.0f, 1.0f},
     {Tool::mask, "mask", "Mask", "Protects hair from the other brushes.", "Add", "Subtract", true,
      false, false, false, 0.0f, 1.0f},
+    {Tool::segment, "segment", "Segment", "Says to which part of the body the skin belongs.",
+     "Paint", "Give back", false, false, false, false, 0.0f, 1.0f},
 }};
 constexpr std::array<const char*, 4> kModes{"add", "subtract", "set", "scale"};
 constexpr std::array<const char*, 4> kFalloffs{"smooth", "linear", "sharp", "constant"};
@@ -231,7 +233,7 @@ FurVertex brushedFur(const Skin& skin, const Groom& before, const Brush& brush, 
     const FurVertex old = before.fur[v];
     const float held = before.mask[v];
     const float share = touching.coverage * brush.strength;
-    if (brush.tool == Tool::mask || share <= 0.0f || held >= 1.0f) return old;
+    if (share <= 0.0f || held >= 1.0f) return old;
 
     FurVertex fur = old;
     switch (brush.tool) {
@@ -268,7 +270,8 @@ FurVertex brushedFur(const Skin& skin, const Groom& before, const Brush& brush, 
             fur.tint = tinted(old.tint, brush, share);
             break;
         case Tool::mask:
-            break;
+        case Tool::segment:
+            return old;
     }
     fur = heldBack(fur, old, held);
     // A singular frame or a field from a hostile file may have no finite answer.

@@ -2,8 +2,10 @@
 #include "frame.glsl"
 #include "strand.glsl"
 #include "fiber.glsl"
+#include "segment_color.glsl"
 
 layout(std430, binding = 6) readonly buffer Mask { float mask[]; };
+layout(std430, binding = 13) readonly buffer SegmentOf { uint segmentOf[]; };
 
 out vec2 uv;
 out vec3 shade;    // color of the vertex times the light that reaches it through the coat
@@ -25,7 +27,9 @@ void main() {
     Material m = materials[material];
     layer = m.layer;
     bool heated = frame.overlay != 0u && frame.overlay != 3u;
-    vec3 color = heated ? vec3(1.0) : m.color * unpackUnorm4x8(corner.color).rgb;
+    vec3 color = frame.overlay == 5u ? segmentColor(segmentOf[corner.skinVertex])
+                 : heated            ? vec3(1.0)
+                                     : m.color * unpackUnorm4x8(corner.color).rgb;
     shade = skinRadiance(frame.light, fur.under, color, n, depth);
     field = frame.overlay == 1u   ? f.furLength
             : frame.overlay == 2u ? f.density

@@ -12,6 +12,7 @@
 #include "strand.glsl"
 #include "fiber.glsl"
 #include "depth_key.glsl"
+#include "segment_color.glsl"
 
 #ifndef STYLE
 #define STYLE 1
@@ -44,6 +45,7 @@ layout(binding = 1) uniform sampler2D skinDepth;
 layout(location = 0) uniform uint coatsHere;  // as frame.coats, of this program
 #ifndef DEPTH_PASS
 layout(std430, binding = 6) readonly buffer Mask { float mask[]; };
+layout(std430, binding = 13) readonly buffer SegmentOf { uint segmentOf[]; };
 layout(rgba16f, binding = 0) writeonly uniform image2D picture;
 #endif
 
@@ -122,8 +124,11 @@ vec2 cornerPlace(Strand s, Ring ring, uint k, uint sides) {
 
 #ifndef DEPTH_PASS
 vec3 colorAtRoot(Root root, vec3 weights, vec3 field) {
-    if (frame.overlay != 0u && frame.overlay != 3u) return heat(dot(weights, field));
     uvec4 t = triangles[root.triangle];
+    if (frame.overlay == 5u)
+        return weights.x * segmentColor(segmentOf[t.x]) + weights.y * segmentColor(segmentOf[t.y]) +
+               weights.z * segmentColor(segmentOf[t.z]);
+    if (frame.overlay != 0u && frame.overlay != 3u) return heat(dot(weights, field));
     vec2 uv = vec2(0.0);
     vec3 tint = weights.x * furVertices[t.x].tint + weights.y * furVertices[t.y].tint +
                 weights.z * furVertices[t.z].tint;

@@ -6,7 +6,7 @@
 
 struct SkinVertex {  // one per welded vertex; world space, rest pose
     vec3 position;   // m
-    uint segment;    // index of the body segment the vertex belongs to
+    uint pad0;
     vec3 normal;     // unit, or zero where the faces around it cancel
     uint frame;      // index of the matrix from the file's mesh space to the world
 };

@@ -28,7 +28,7 @@ OrderedJson infoOf(const std::string& file, const Document& document) {
     const LoadReport& report = skin.report;
     const CarriedCounts carried = carriedCounts(*skin.source);
     OrderedJson segments = OrderedJson::array();
-    for (const Segment& segment : skin.segments()) segments.push_back(segment.name);
+    for (const Segment& segment : document.groom.body()) segments.push_back(segment.name);
     return {{"file", file},
             {"vertices", report.vertices},
             {"triangles", report.triangles},

@@ -97,6 +97,8 @@ void drawNumbers(App& app, Brush& brush) {
         if (const auto picked = parameterRow(ui, kColor, brush.color, vec3(1.0f), size))
             brush.color = glm::clamp(*picked, vec3(0.0f), vec3(1.0f));
     }
+    if (brush.tool == Tool::segment && app.isOpen())
+        app.session.segment.chosen = segmentRow(app, app.session.segment.chosen);
     if (brush.mode == Mode::scale && info.hasScale) {
         if (const auto factor = numberRow(ui, "Factor", brush.factor,
                                           {.least = 0.0f,
@@ -165,8 +167,10 @@ void drawBrushPanel(App& app, const Layout& layout) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, app.theme.px(3)});
     const float gap = app.theme.px(3), half = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
     for (const ToolInfo& info : tools()) {  // in two columns
-        toolButton(app, info, half);
-        if (static_cast<int>(info.tool) % 2 == 0) ImGui::SameLine(0.0f, gap);
+        const bool left = static_cast<int>(info.tool) % 2 == 0;
+        const bool alone = left && &info == &tools().back();
+        toolButton(app, info, alone ? 2.0f * half + gap : half);
+        if (left && !alone) ImGui::SameLine(0.0f, gap);
     }
     ImGui::PopStyleVar();
 

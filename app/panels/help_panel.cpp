@@ -20,6 +20,7 @@ constexpr MouseHelp kMouse[] = {
     {"Shift + left drag", "Smooth"},
     {"Shift + click", "Paint a line from the end of the last stroke"},
     {"Hold Z while painting", "A light touch, as of a pen"},
+    {"Drag the end of a segment's arrow", "Move it; Ctrl keeps its direction"},
     {"Esc, right click", "Give up the stroke"},
     {"Middle drag, Alt + left drag", "Turn"},
     {"Shift + middle, Alt + middle", "Move"},

@@ -93,8 +93,9 @@ void drawToolbar(App& app, const Layout& layout) {
          {"view.frame", "view.front", "view.side", "view.top", "view.orthographic"})
         toolbarButton(app, name);
     toolbarLine(app);
-    constexpr const char* kOverlays[] = {"Fur", "Length", "Density", "Direction", "Mask"};
-    for (int i = 0; i < 5; ++i) {
+    constexpr const char* kOverlays[] = {"Fur", "Length", "Density", "Direction", "Mask",
+                                         "Segments"};
+    for (int i = 0; i < 6; ++i) {
         Overlay& shown = app.session.view.overlay;
         const auto overlay = static_cast<Overlay>(i);
         if (iconButton(uiOf(app), "", kOverlays[i], shown == overlay, app.isOpen()))

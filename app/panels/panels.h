@@ -27,6 +27,8 @@ void drawRegions(App& app);
 void drawView(App& app);
 void drawHistory(App& app);
 void drawSegments(App& app);
+// A drop-down list of the body segments; the number of the one that is chosen now.
+uint segmentRow(App& app, uint chosen);
 void drawStatus(App& app, const Layout& layout);
 void drawDialogs(App& app);
 void drawHelp(App& app);

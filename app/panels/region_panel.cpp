@@ -1,10 +1,12 @@
 // region_panel.cpp -- where to edit all hair at once, and what to do with it.
 #include <cstdio>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "app/actions.h"
 #include "app/panels/panels.h"
+#include "core/body.h"
 
 namespace pelage {
 namespace {
@@ -50,19 +52,15 @@ void jobButton(App& app, const char* label, Job job, const char* help) {
 
 // Which segment; false when there is none.
 bool drawSegments(App& app, Region& region) {
-    std::vector<const char*> names;
-    int chosen = 0;
-    for (const Segment& segment : app.skin().segments()) {
-        if (segment.name == region.segment) chosen = static_cast<int>(names.size());
-        names.push_back(segment.name.c_str());
-    }
-    if (names.empty()) {
+    const std::span<const Segment> body = app.document().groom.body();
+    if (body.empty()) {
         ImGui::TextDisabled("This animal has no segments.");
         return false;
     }
-    rowLabel(uiOf(app), "Segment");
-    if (const auto other = choiceList(uiOf(app), "##segment", names, chosen)) chosen = *other;
-    region.segment = names[static_cast<std::size_t>(chosen)];
+    uint chosen = 0;
+    for (uint s = 0; s < body.size(); ++s)
+        if (nameOfSegment(body, s) == region.segment) chosen = s;
+    region.segment = nameOfSegment(body, segmentRow(app, chosen));
     return true;
 }
 

@@ -12,7 +12,8 @@ void drawView(App& app) {
     toggleRow(ui, "Undercoat", &view.showUnder, "The short, dense hair below them.");
 
     caption(ui, "OVERLAY");
-    constexpr const char* kOverlays[] = {"None", "Length", "Density", "Direction", "Mask"};
+    constexpr const char* kOverlays[] = {"None",      "Length", "Density",
+                                         "Direction", "Mask",   "Segments"};
     ImGui::SetNextItemWidth(-1);
     if (const auto other = choiceList(ui, "##overlay", kOverlays, static_cast<int>(view.overlay)))
         view.overlay = static_cast<Overlay>(*other);

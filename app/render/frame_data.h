@@ -45,7 +45,8 @@ enum Storage : unsigned {
     runs = 9,
     counters = 10,
     lines = 11,
-    groups = 12
+    groups = 12,
+    segmentOf = 13
 };
 enum Texture : unsigned { baseColors = 0, skinDepth = 1 };
 }  // namespace binding

@@ -59,7 +59,22 @@ void Mirror::uploadSkin(const Skin& skin) {
     corners_.upload(view(cornersOf(skin)));
     furVertices_.resize(skin.vertices.size() * sizeof(FurVertex));
     mask_.resize(skin.vertices.size() * sizeof(float));
+    segmentOf_.resize(skin.vertices.size() * sizeof(uint));
     textured_ = !source.uvs.empty() || !source.colors.empty();
+}
+
+template <typename T>
+void Mirror::uploadChunks(gl::Buffer& buffer, const Chunked<T>& now, const Chunked<T>& before,
+                          bool all) {
+    std::size_t at = 0;
+    for (std::size_t c = 0; c < now.chunkCount(); ++c) {
+        const auto chunk = now.chunk(c);
+        if (all || !now.sharesChunk(before, c)) {
+            buffer.write(at * sizeof(T), chunk);
+            ++chunksUploaded_;
+        }
+        at += chunk.size();
+    }
 }
 
 void Mirror::uploadGroom(const Document& document, bool all) {
@@ -81,16 +96,8 @@ void Mirror::uploadGroom(const Document& document, bool all) {
         furVertices_.write(first * sizeof(FurVertex), view(inWorld));
         ++chunksUploaded_;
     }
-    const Chunked<float>& mask = document.groom.mask;
-    std::size_t at = 0;
-    for (std::size_t c = 0; c < mask.chunkCount(); ++c) {
-        const auto chunk = mask.chunk(c);
-        if (all || !mask.sharesChunk(groom_.mask, c)) {
-            mask_.write(at * sizeof(float), chunk);
-            ++chunksUploaded_;
-        }
-        at += chunk.size();
-    }
+    uploadChunks(mask_, document.groom.mask, groom_.mask, all);
+    uploadChunks(segmentOf_, document.groom.segmentOf, groom_.segmentOf, all);
     groom_ = document.groom;
 }
 
@@ -127,6 +134,7 @@ void Mirror::bind() const {
     corners_.bindStorage(binding::corners);
     materials_.bindStorage(binding::materials);
     mask_.bindStorage(binding::mask);
+    segmentOf_.bindStorage(binding::segmentOf);
     rootBuffer_.bindStorage(binding::roots);
     furBlock_.bindUniform(binding::fur);
     glBindTextureUnit(binding::baseColors, baseColors_.name());
@@ -140,7 +148,8 @@ float Mirror::longestHair() const {
 
 std::size_t Mirror::bytes() const {
     return skinVertices_.bytes() + furVertices_.bytes() + triangles_.bytes() +
-           sourceTriangles_.bytes() + corners_.bytes() + mask_.bytes() + rootBuffer_.bytes();
+           sourceTriangles_.bytes() + corners_.bytes() + mask_.bytes() + segmentOf_.bytes() +
+           rootBuffer_.bytes();
 }
 
 }  // namespace pelage

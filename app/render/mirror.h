@@ -24,7 +24,8 @@ public:
     // last. Returns true if anything differed.
     bool update(const Document& document);
 
-    // Binds every buffer and texture of frame.glsl, the fur block, the mask and the roots.
+    // Binds every buffer and texture of frame.glsl, the fur block, the mask, the segments and
+    // the roots.
     void bind() const;
 
     const Roots& roots() const { return roots_; }
@@ -45,6 +46,9 @@ public:
 private:
     void uploadSkin(const Skin& skin);
     void uploadGroom(const Document& document, bool all);
+    template <typename T>
+    void uploadChunks(gl::Buffer& buffer, const Chunked<T>& now, const Chunked<T>& before,
+                      bool all);
 
     std::shared_ptr<const Skin> skin_;
     Groom groom_;
@@ -55,7 +59,7 @@ private:
     std::size_t chunksUploaded_ = 0;
     std::vector<float> longestOfChunk_;
     gl::Buffer skinVertices_, furVertices_, triangles_, sourceTriangles_, corners_, materials_,
-        mask_, rootBuffer_, furBlock_;
+        mask_, segmentOf_, rootBuffer_, furBlock_;
     gl::Texture baseColors_;
 };
 

@@ -123,9 +123,9 @@ void requireCapabilities() {
         int needed;
         const char* name;
     } limits[] = {
-        {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 13, "storage buffers"},
-        {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 11, "storage buffers in a compute shader"},
-        {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, 5, "storage buffers in a vertex shader"},
+        {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 14, "storage buffers"},
+        {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 12, "storage buffers in a compute shader"},
+        {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, 6, "storage buffers in a vertex shader"},
         {GL_MAX_COMPUTE_IMAGE_UNIFORMS, 1, "images in a compute shader"},
     };
     for (const auto& [limit, needed, name] : limits) {

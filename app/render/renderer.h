@@ -12,7 +12,7 @@
 
 namespace pelage {
 
-enum class Overlay { none, length, density, direction, mask };
+enum class Overlay { none, length, density, direction, mask, segment };
 
 struct OverlayLine {        // drawn over everything, with the depth of the skin tested
     vec3 a{0.0f}, b{0.0f};  // world

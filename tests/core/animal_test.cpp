@@ -34,9 +34,10 @@ const Document& groomed() {
 // Mean of a value over the vertices of the segments whose name begins with `name`.
 template <typename Value>
 double meanOver(const Skin& skin, const std::string& name, Value value) {
+    const Groom groom = evenGroom(skin, kBareFur);
     double sum = 0.0, count = 0.0;
     for (uint v = 0; v < skin.vertices.size(); ++v) {
-        const std::string& segment = skin.segments()[skin.vertices[v].segment].name;
+        const std::string& segment = groom.body()[groom.segmentOf[v]].name;
         if (segment.compare(0, name.size(), name) != 0) continue;
         sum += static_cast<double>(value(v));
         count += 1.0;
@@ -204,12 +205,13 @@ TEST(Animal, IsAboutAMetreLongAndStandsOnTheGround) {
     const auto nose = std::max_element(
         skin->vertices.begin(), skin->vertices.end(),
         [](const SkinVertex& a, const SkinVertex& b) { return a.position.z < b.position.z; });
-    EXPECT_EQ(skin->segments()[nose->segment].name, "muzzle");
+    const Groom groom = evenGroom(*skin, kBareFur);
+    const auto segmentAt = [&](std::size_t v) { return groom.body()[groom.segmentOf[v]].name; };
+    EXPECT_EQ(segmentAt(static_cast<std::size_t>(nose - skin->vertices.begin())), "muzzle");
     // All four feet touch the ground.
     std::set<std::string> onGround;
-    for (const SkinVertex& v : skin->vertices) {
-        if (v.position.y < 0.002f) onGround.insert(skin->segments()[v.segment].name);
-    }
+    for (std::size_t v = 0; v < skin->vertices.size(); ++v)
+        if (skin->vertices[v].position.y < 0.002f) onGround.insert(segmentAt(v));
     EXPECT_EQ(onGround, (std::set<std::string>{"leg.front.left.foot", "leg.front.right.foot",
                                                "leg.back.left.foot", "leg.back.right.foot"}));
 }
@@ -300,7 +302,7 @@ TEST(GroomedAnimal, LiesOnTheSkin) {
 TEST(GroomedAnimal, IsCombedFromHeadToTail) {
     const Skin& skin = *groomed().skin;
     for (const char* name : {"muzzle", "trunk", "tail", "leg.front.left.lower", "ear.left"}) {
-        const auto& segments = skin.segments();
+        const auto& segments = skin.source->segments;
         const auto segment = std::find_if(segments.begin(), segments.end(),
                                           [&](const Segment& s) { return s.name == name; });
         const vec3 axis = glm::normalize(segment->tip - segment->root);
@@ -319,7 +321,7 @@ TEST(GroomedAnimal, TurnsSmoothlyFromSegmentToSegment) {
     std::size_t edges = 0, jumps = 0;
     for (uint v = 0; v < skin.vertices.size(); ++v) {
         for (const uint n : skin.ring(v)) {
-            if (skin.vertices[v].segment == skin.vertices[n].segment) continue;
+            if (groomed().groom.segmentOf[v] == groomed().groom.segmentOf[n]) continue;
             if (glm::dot(skin.vertices[v].normal, skin.vertices[n].normal) < 0.9f) continue;
             ++edges;
             jumps += glm::length(groomed().groom.fur[v].direction -

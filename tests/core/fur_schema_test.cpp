@@ -5,7 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/animal.h"
 #include "core/coat.h"
+#include "core/gltf_in.h"
+#include "core/gltf_out.h"
 #include "gtest/gtest.h"
 
 namespace pelage {
@@ -72,6 +75,19 @@ Json wantedSchema() {
          "no mirror."},
         {"type", "integer"},
         {"minimum", 2}};
+    const Json point{
+        {"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}};
+    properties["segments"] = {
+        {"description",
+         "The parts of the body, numbered by _FUR_SEGMENT; missing where the skeleton, materials "
+         "or "
+         "nodes of the file say them. Root and tip are in the world, rest pose; hair lies from the "
+         "one to the other."},
+        {"type", "array"},
+        {"items",
+         {{"type", "object"},
+          {"required", {"root", "tip"}},
+          {"properties", {{"name", {{"type", "string"}}}, {"root", point}, {"tip", point}}}}}};
     return {
         {"$schema", "https://json-schema.org/draft/2020-12/schema"},
         {"title", "extras.fur of a groomed glTF"},
@@ -100,7 +116,8 @@ std::string misfit(const Json& root, const Json& schema, const Json& value,
     if (schema.contains("minimum") && value < schema["minimum"]) return place + " is too small";
     if (schema.contains("maximum") && value > schema["maximum"]) return place + " is too large";
     if (type == "array") {
-        if (value.size() != schema.at("minItems")) return place + " has the wrong size";
+        if (schema.contains("minItems") && value.size() != schema["minItems"])
+            return place + " has the wrong size";
         for (const Json& item : value)
             if (const auto bad = misfit(root, schema["items"], item, place); !bad.empty())
                 return bad;
@@ -127,6 +144,10 @@ TEST(FurSchema, AcceptsEveryBlockTheProgramWrites) {
     for (const Preset& preset : presets())
         EXPECT_EQ(misfit(schema, schema, Json::parse(furToJson(preset.fur)), "fur"), "")
             << preset.name;
+    const Json block = Json::parse(
+        openDocument(readGltf(groomedGlb(groomedAnimal(2000)), "")).skin->source->furBlock);
+    EXPECT_TRUE(block.contains("segments"));
+    EXPECT_EQ(misfit(schema, schema, block, "fur"), "");
 }
 
 TEST(FurSchema, RefusesAValueOutsideTheRangeOfItsRow) {

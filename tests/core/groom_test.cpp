@@ -94,7 +94,7 @@ TEST(InitialGroom, IsCombedFromHeadToTailOnTheAnimal) {
     for (uint v = 0; v < skin->vertices.size(); ++v) {
         ASSERT_LE(glm::length(groom.fur[v].direction), 0.5001f);
         ASSERT_LE(std::abs(glm::dot(groom.fur[v].direction, skin->vertices[v].normal)), 1e-4f);
-        if (skin->segments()[skin->vertices[v].segment].name != "trunk") continue;
+        if (groom.body()[groom.segmentOf[v]].name != "trunk") continue;
         along -= double(groom.fur[v].direction.z);
         count += 1.0;
     }

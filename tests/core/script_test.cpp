@@ -312,7 +312,8 @@ TEST(Script, FloodLineFloods) {
 
 TEST(Script, FloodOfEachToolThatNeedsNoPathChangesTheField) {
     for (const ToolInfo& info : tools()) {
-        if (info.needsPath || info.tool == Tool::smooth) continue;  // smooth: the field is even
+        // The field is even, and there are no segments.
+        if (info.needsPath || info.tool == Tool::smooth || info.tool == Tool::segment) continue;
         Workspace workspace = onBall();
         Brush brush;
         brush.tool = info.tool;
@@ -335,7 +336,8 @@ TEST(Script, ResetBringsBackTheChannelsOfTheToolAndNoOthers) {
     const std::map<Tool, std::string> channels{
         {Tool::length, "l"},  {Tool::cut, "l"},       {Tool::density, "d"}, {Tool::comb, "v"},
         {Tool::part, "v"},    {Tool::twist, "v"},     {Tool::clump, "v"},   {Tool::puff, "v"},
-        {Tool::flatten, "v"}, {Tool::smooth, "ldvt"}, {Tool::tint, "t"},    {Tool::mask, "m"}};
+        {Tool::flatten, "v"}, {Tool::smooth, "ldvt"}, {Tool::tint, "t"},    {Tool::mask, "m"},
+        {Tool::segment, ""}};
     for (const ToolInfo& info : tools()) {
         Workspace workspace = onBall();
         for (const char* line : {"flood length set 0.5", "flood density set 0.25", "flood puff",

@@ -63,12 +63,12 @@ vec3 carried(vec3 direction, vec3 from, vec3 to) {
 
 // Angles between the directions of neighbours, where both lie: where hair parts or meets, every
 // field turns round and fades.
-Seam seamOf(const Skin& skin, const std::vector<vec3>& field) {
+Seam seamOf(const Skin& skin, const Groom& groom, const std::vector<vec3>& field) {
     Seam seam;
     for (uint v = 0; v < field.size(); ++v) {
         for (const uint n : skin.ring(v)) {
             const SkinVertex &here = skin.vertices[v], &there = skin.vertices[n];
-            const bool border = here.segment != there.segment;
+            const bool border = groom.segmentOf[v] != groom.segmentOf[n];
             const vec3 other = carried(field[n], there.normal, here.normal);
             const float a = glm::length(field[v]), b = glm::length(other);
             if (a < kLying || b < kLying) continue;
@@ -81,17 +81,19 @@ Seam seamOf(const Skin& skin, const std::vector<vec3>& field) {
     return seam;
 }
 
-std::vector<vec3> axesOnSkin(const Skin& skin) {
+std::vector<vec3> axesOnSkin(const Skin& skin, const Groom& groom) {
     std::vector<vec3> field;
-    for (const SkinVertex& vertex : skin.vertices)
-        field.push_back(laidOnSkin(axisOf(skin.segments()[vertex.segment]), vertex.normal));
+    for (uint v = 0; v < skin.vertices.size(); ++v)
+        field.push_back(
+            laidOnSkin(axisOf(groom.body()[groom.segmentOf[v]]), skin.vertices[v].normal));
     return field;
 }
 
 // On the mesh as it is, and against the seams of each segment combed along its own axis.
 void expectNoSeam(const Skin& skin, float most, float share) {
-    const Seam plain = seamOf(skin, axesOnSkin(skin));
-    const Seam smooth = seamOf(skin, headToTail(skin));
+    const Groom groom = test::evenGroom(skin);
+    const Seam plain = seamOf(skin, groom, axesOnSkin(skin, groom));
+    const Seam smooth = seamOf(skin, groom, headToTail(skin, groom));
     std::printf(
         "largest angle between neighbours: %.1f across borders, %.1f inside; with each "
         "segment's own axis %.1f and %.1f degrees\n",
@@ -123,9 +125,9 @@ TEST(CombSegment, LaysTheAxisOnItsOwnVerticesOnly) {
     Groom groom = before;
     combSegment(*skin, groom, 1, {0, 5, 0}, 1.0f);
     for (uint v = 0; v < groom.fur.size(); ++v) {
-        const SkinVertex& vertex = skin->vertices[v];
-        const vec3 wanted =
-            vertex.segment == 1 ? laidOnSkin({0, 1, 0}, vertex.normal) : before.fur[v].direction;
+        const vec3 wanted = before.segmentOf[v] == 1
+                                ? laidOnSkin({0, 1, 0}, skin->vertices[v].normal)
+                                : before.fur[v].direction;
         ASSERT_LT(glm::distance(groom.fur[v].direction, wanted), 1e-6f);
         FurVertex rest = groom.fur[v];
         rest.direction = before.fur[v].direction;
@@ -139,7 +141,7 @@ TEST(CombSegment, MixesByWeightAndMask) {
     for (uint v = 0; v < groom.fur.size(); ++v) groom.mask.edit(v) = v % 2 == 0 ? 1.0f : 0.5f;
     combSegment(*skin, groom, 0, {0, 0, 1}, 0.4f);
     for (uint v = 0; v < groom.fur.size(); ++v) {
-        const bool touched = skin->vertices[v].segment == 0 && v % 2 == 1;
+        const bool touched = groom.segmentOf[v] == 0 && v % 2 == 1;
         ASSERT_NEAR(glm::length(groom.fur[v].direction), touched ? 0.2f : 0.0f, 1e-3f);
     }
 }
@@ -155,7 +157,8 @@ TEST(CombSegment, ByNothingCopiesNoChunk) {
 TEST(HeadToTail, TurnsFromOneAxisToTheNextWithoutASeamAndKeepsBothBeyondIt) {
     const auto skin = makeSkin(tube());
     expectNoSeam(*skin, 35.0f, 1.2f);
-    const std::vector<vec3> field = headToTail(*skin), axes = axesOnSkin(*skin);
+    const Groom groom = test::evenGroom(*skin);
+    const std::vector<vec3> field = headToTail(*skin, groom), axes = axesOnSkin(*skin, groom);
     for (uint v = 0; v < field.size(); ++v) {
         if (std::abs(skin->vertices[v].position.z - 0.5f) < 0.3f) continue;
         ASSERT_LT(glm::distance(field[v], axes[v]), 0.35f);
@@ -172,7 +175,7 @@ TEST(HeadToTail, HasNoSeamOnTheFox) {
 
 TEST(HeadToTail, LiesOnTheSkinAndIsAtMostAsLongAsOne) {
     const auto skin = makeSkin(makeAnimal(5000));
-    const std::vector<vec3> field = headToTail(*skin);
+    const std::vector<vec3> field = headToTail(*skin, test::evenGroom(*skin));
     for (uint v = 0; v < field.size(); ++v) {
         ASSERT_LE(glm::length(field[v]), 1.00001f);
         ASSERT_LT(std::abs(glm::dot(field[v], skin->vertices[v].normal)), 1e-5f);
@@ -181,20 +184,21 @@ TEST(HeadToTail, LiesOnTheSkinAndIsAtMostAsLongAsOne) {
 
 TEST(HeadToTail, IsTheSameWithAnyNumberOfThreads) {
     const auto skin = makeSkin(makeAnimal(20000));
-    const std::vector<vec3> many = headToTail(*skin);
+    const std::vector<vec3> many = headToTail(*skin, test::evenGroom(*skin));
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    const std::vector<vec3> alone = headToTail(*skin);
+    const std::vector<vec3> alone = headToTail(*skin, test::evenGroom(*skin));
     ASSERT_EQ(many.size(), alone.size());
     EXPECT_EQ(std::memcmp(many.data(), alone.data(), many.size() * sizeof(vec3)), 0);
 }
 
 TEST(HeadToTail, IsTheSameAtEverySize) {
     const auto skin = makeSkin(tube());
-    const std::vector<vec3> field = headToTail(*skin);
+    const std::vector<vec3> field = headToTail(*skin, test::evenGroom(*skin));
     for (const float scale : {1e-5f, 1e5f}) {
         Source source = tube();
         for (vec3& p : source.positions) p *= scale;
-        const std::vector<vec3> other = headToTail(*makeSkin(std::move(source)));
+        const auto scaled = makeSkin(std::move(source));
+        const std::vector<vec3> other = headToTail(*scaled, test::evenGroom(*scaled));
         ASSERT_EQ(other.size(), field.size());
         for (uint v = 0; v < field.size(); ++v)
             ASSERT_LT(glm::distance(field[v], other[v]), 0.02f) << scale;
@@ -231,7 +235,7 @@ TEST(HeadToTail, LeavesPiecesThatNoAxisReaches) {
     const Groom before = test::evenGroom(*skin);
     const Groom after = combed(*skin, before, 1.0f);
     for (uint v = 0; v < after.fur.size(); ++v) {
-        const bool reached = skin->vertices[v].segment == 0;
+        const bool reached = after.segmentOf[v] == 0;
         ASSERT_LT(glm::distance(after.fur[v].direction,
                                 reached ? vec3(1, 0, 0) : before.fur[v].direction),
                   1e-5f);
@@ -239,29 +243,14 @@ TEST(HeadToTail, LeavesPiecesThatNoAxisReaches) {
 }
 
 TEST(HeadToTail, SaysThatThereAreNoSegments) {
-    EXPECT_EQ(refusal([] { headToTail(*makeSkin(test::sheet(2))); }),
-              "the mesh has no body segments to comb along");
+    const auto problem = [](Source source) {
+        const auto skin = makeSkin(std::move(source));
+        return refusal([&] { headToTail(*skin, test::evenGroom(*skin)); });
+    };
+    EXPECT_EQ(problem(test::sheet(2)), "the mesh has no body segments to comb along");
     Source source = test::sheet(2);
     source.segments = {{"point", {0, 0, 0}, {0, 0, 0}}};
-    EXPECT_EQ(refusal([&] { headToTail(*makeSkin(std::move(source))); }),
-              "no body segment of the mesh has an axis to comb along");
-}
-
-TEST(SegmentNames, AreFoundByNameOrNumber) {
-    Source source = tube();
-    source.segments.push_back({"front", {0, 0, 0}, {1, 0, 0}});
-    source.segments.push_back({"left ear", {0, 0, 0}, {1, 0, 0}});
-    const auto skin = makeSkin(std::move(source));
-    EXPECT_EQ(segmentNamed(*skin, "back"), 1u);
-    EXPECT_EQ(segmentNamed(*skin, "front"), 0u);
-    EXPECT_EQ(segmentNamed(*skin, "#2"), 2u);
-    EXPECT_EQ(nameOfSegment(*skin, 0), "front");
-    EXPECT_EQ(nameOfSegment(*skin, 2), "#2");
-    EXPECT_EQ(segmentNamed(*skin, "left ear"), 3u);
-    EXPECT_EQ(nameOfSegment(*skin, 3), "#3");
-    EXPECT_EQ(refusal([&] { segmentNamed(*skin, "#4"); }),
-              "no body segment \"#4\"; there are \"front\", \"back\", \"front\", "
-              "\"left ear\"");
+    EXPECT_EQ(problem(std::move(source)), "no body segment of the mesh has an axis to comb along");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/animal.h"
+#include "core/body.h"
 #include "core/script.h"
 #include "core/segment_comb.h"
 #include "reading.h"
@@ -48,12 +49,12 @@ TEST(SegmentText, EachLineIsOneStepThatUndoes) {
 TEST(SegmentText, ALineDoesWhatTheFunctionDoes) {
     Workspace workspace = onAnimal();
     const Skin& skin = *workspace.editor->document().skin;
-    const uint tail = segmentNamed(skin, "tail");
     Groom wanted = workspace.editor->document().groom;
+    const uint tail = segmentNamed(wanted.body(), "tail");
     combSegment(skin, wanted, tail, {0.1f, 1.0f, 0.3f}, 0.25f);
-    runLine(workspace, segmentLine(skin, tail, {0.1f, 1.0f, 0.3f}, 0.25f));
+    runLine(workspace, segmentLine(wanted, tail, {0.1f, 1.0f, 0.3f}, 0.25f));
     EXPECT_TRUE(sameFur(workspace.editor->document().groom, wanted));
-    combSegment(skin, wanted, tail, axisOf(skin.segments()[tail]), 1.0f);
+    combSegment(skin, wanted, tail, axisOf(wanted.body()[tail]), 1.0f);
     runLine(workspace, "segment tail");
     EXPECT_TRUE(sameFur(workspace.editor->document().groom, wanted));
     combHeadToTail(skin, wanted, 0.75f);
@@ -61,15 +62,26 @@ TEST(SegmentText, ALineDoesWhatTheFunctionDoes) {
     EXPECT_TRUE(sameFur(workspace.editor->document().groom, wanted));
 }
 
-TEST(SegmentText, ANameMayContainBlanks) {
+TEST(SegmentText, ANameIsOneWordWhateverIsInIt) {
     Source source = test::sheet(2);
-    source.segments = {{"left ear", {0, 0, 0}, {1, 0, 0}}, {"dot", {0, 0, 0}, {0, 0, 0}}};
+    source.segments = {{"left ear", {0, 0, 0}, {1, 0, 0}},
+                       {"dot", {0, 0, 0}, {0, 0, 0}},
+                       {"100 %\taxis", {0, 0, 0}, {0, 0, 1}},
+                       {"left ear", {0, 0, 0}, {0, 0, 1}},
+                       {"", {0, 0, 0}, {0, 0, 1}}};
     source.segmentOf.assign(source.positions.size(), 0);
     Workspace workspace;
     workspace.open(test::evenDocument(std::move(source)));
-    runLine(workspace, "segment left ear weight 1");
     const Document& document = workspace.editor->document();
+    const char* words[] = {"left%20ear", "dot", "100%20%25%09axis", "#3", "#4"};
+    for (uint s = 0; s < 5; ++s) {
+        EXPECT_EQ(segmentWord(document.groom, s), words[s]);
+        EXPECT_EQ(segmentNamed(document.groom.body(), textOfWord(words[s])), s);
+    }
+    runLine(workspace, "segment left%20ear weight 1");
     EXPECT_NEAR(document.groom.fur[0].direction.x, 1.0f, 1e-6f);
+    runLine(workspace, "region segment left%20ear : length set 0.5");
+    EXPECT_EQ(document.groom.fur[0].furLength, 0.5f);
     EXPECT_EQ(errorOf(workspace, "segment dot"),
               "segment: body segment \"dot\" has no axis of its own; name one");
 }
@@ -77,9 +89,10 @@ TEST(SegmentText, ANameMayContainBlanks) {
 TEST(SegmentText, SaysWhatIsWrong) {
     Workspace workspace = onAnimal();
     EXPECT_EQ(errorOf(workspace, "segment tail weight 2"),
-              "segment: weight 2 is no number from 0 to 1");
+              "segment: weight \"2\" is no number from 0 to 1");
     EXPECT_EQ(errorOf(workspace, "segment tail axis 0 0 0"), "segment: an axis needs a length");
-    EXPECT_EQ(errorOf(workspace, "segment tail axis 0 0"), "segment: \"\" is no number");
+    EXPECT_EQ(errorOf(workspace, "segment tail axis 0 0"),
+              "segment: axis \"\" is no number from -1e+12 to 1e+12");
     EXPECT_EQ(errorOf(workspace, "segment tail axis 0 0 1 up"),
               "segment: does not expect \"up\" here");
     EXPECT_TRUE(

@@ -97,8 +97,7 @@ inline Source ball(int times) {
 // A groom that is the same at every vertex.
 inline Groom evenGroom(const Skin& skin,
                        FurVertex fur = {vec3(0.0f, 0.0f, 0.5f), 0.04f, vec3(1.0f), 0.5f}) {
-    return {Chunked<FurVertex>(skin.vertices.size(), fur),
-            Chunked<float>(skin.vertices.size(), 0.0f)};
+    return pelage::evenGroom(skin, fur);
 }
 
 inline Document evenDocument(Source source) {

@@ -12,7 +12,8 @@ namespace pelage::test {
 // A ball of radius 1 m with upright hair that bends a little.
 inline Document furryBall(uint hairs) {
     Document document = evenDocument(ball(2));
-    document.groom = evenGroom(*document.skin, {vec3(0.0f, 0.0f, 0.5f), 0.2f, vec3(1.0f), 1.0f});
+    document.groom =
+        test::evenGroom(*document.skin, {vec3(0.0f, 0.0f, 0.5f), 0.2f, vec3(1.0f), 1.0f});
     document.fur.hairs = hairs;
     return document;
 }
@@ -30,8 +31,8 @@ inline Document lyingHair(uint hairs, Source source = sheet(8)) {
     Document document = evenDocument(std::move(source));
     for (uint v = 0; v < document.skin->vertices.size(); ++v) {
         const float turn = 0.7f * static_cast<float>(v % 9);
-        document.groom.fur.edit(v) = {
-            vec3(std::cos(turn), 0.0f, std::sin(turn)), 0.1f, vec3(1.0f), 1.0f};
+        document.groom.fur.edit(v) = {vec3(std::cos(turn), 0.0f, std::sin(turn)), 0.1f, vec3(1.0f),
+                                      1.0f};
     }
     for (Coat* coat : {&document.fur.over, &document.fur.under}) {
         *coat = Coat{};

@@ -55,7 +55,7 @@ gl::ProgramName shaderOf(const std::string& type) {
                                 type + " into[]; };\n" + "void main() { into[0] = from[1]; }\n");
 }
 
-const std::vector<Field> kSkinVertex{FIELD(SkinVertex, position), FIELD(SkinVertex, segment),
+const std::vector<Field> kSkinVertex{FIELD(SkinVertex, position), FIELD(SkinVertex, pad0),
                                      FIELD(SkinVertex, normal), FIELD(SkinVertex, frame)};
 const std::vector<Field> kFurVertex{FIELD(FurVertex, direction), FIELD(FurVertex, furLength),
                                     FIELD(FurVertex, tint),      FIELD(FurVertex, density)};

@@ -21,14 +21,16 @@ Document turnedDocument() {
     document.fur.hairs = 1000;
     test::Draws draws(1);
     for (uint v = 0; v < document.skin->vertices.size(); ++v) {
-        document.groom.fur.edit(v) = {
-            draws.inBox(0.5f), draws.in(0.0f, 0.1f), vec3(1.0f), draws.in(0.0f, 1.0f)};
+        document.groom.fur.edit(v) = {draws.inBox(0.5f), draws.in(0.0f, 0.1f), vec3(1.0f),
+                                      draws.in(0.0f, 1.0f)};
         document.groom.mask.edit(v) = draws.in(0.0f, 1.0f);
     }
     return document;
 }
 
-std::size_t chunks(const Groom& groom) { return groom.fur.chunkCount() + groom.mask.chunkCount(); }
+std::size_t chunks(const Groom& groom) {
+    return groom.fur.chunkCount() + groom.mask.chunkCount() + groom.segmentOf.chunkCount();
+}
 
 GLuint boundBuffer(const Mirror& mirror, GLuint binding) {
     mirror.bind();
@@ -41,9 +43,11 @@ void expectEqual(const Mirror& mirror, const Document& document) {
     const std::size_t count = document.skin->vertices.size();
     const auto fur = test::valuesOf<FurVertex>(boundBuffer(mirror, binding::furVertices), count);
     const auto mask = test::valuesOf<float>(boundBuffer(mirror, binding::mask), count);
+    const auto segments = test::valuesOf<uint>(boundBuffer(mirror, binding::segmentOf), count);
     std::size_t different = 0;
     for (uint v = 0; v < count; ++v)
-        different += !(fur[v] == furToWorld(*document.skin, v, document.groom.fur[v])) ||
+        different += segments[v] != document.groom.segmentOf[v] ||
+                     !(fur[v] == furToWorld(*document.skin, v, document.groom.fur[v])) ||
                      mask[v] != document.groom.mask[v];
     EXPECT_EQ(different, 0u);
 }
@@ -82,6 +86,11 @@ TEST(Mirror, UploadedChunksAreTheTouchedOnes) {
     document.groom.fur.edit(2).density = 0.5f;
     EXPECT_TRUE(mirror.update(document));
     EXPECT_EQ(mirror.chunksUploaded(), 2u);
+    expectEqual(mirror, document);
+
+    document.groom.segmentOf.edit(300) = 1;
+    EXPECT_TRUE(mirror.update(document));
+    EXPECT_EQ(mirror.chunksUploaded(), 1u);
     expectEqual(mirror, document);
 
     document.fur.over.stiffness *= 0.5f;

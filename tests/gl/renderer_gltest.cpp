@@ -178,8 +178,8 @@ TEST(Renderer, OverlaysChangeThePicture) {
     View view = ballView(document, 32);
     Renderer renderer;
     std::vector<Pixels> pictures;
-    const std::vector<Overlay> overlays{Overlay::none, Overlay::length, Overlay::density,
-                                        Overlay::direction, Overlay::mask};
+    const std::vector<Overlay> overlays{Overlay::none,      Overlay::length, Overlay::density,
+                                        Overlay::direction, Overlay::mask,   Overlay::segment};
     for (const Overlay overlay : overlays) {
         view.overlay = overlay;
         pictures.push_back(picture(renderer, document, view));
@@ -236,6 +236,33 @@ TEST(Renderer, OverlaysColorTheHairByTheirOwnField) {
         EXPECT_GT(left.z, 2.0f * left.x) << static_cast<int>(overlay);    // cold is blue
         EXPECT_GT(right.x, 2.0f * right.z) << static_cast<int>(overlay);  // hot is red
     }
+}
+
+// The first segment is shown orange, the second blue; what belongs to none is grey.
+TEST(Renderer, SegmentsAreToldApartByTheirColors) {
+    Document document = test::lyingHair(3000);
+    for (uint v = 0; v < document.skin->vertices.size(); ++v)
+        document.groom.segmentOf.edit(v) = document.skin->vertices[v].position.x > 0.0f ? 0 : 1;
+    View view = test::viewFromAbove(64);
+    view.overlay = Overlay::segment;
+    view.background = vec3(0.0f);
+    Renderer renderer;
+    for (const bool skin : {true, false}) {
+        view.showSkin = skin;
+        view.showOver = view.showUnder = !skin;
+        const Pixels pixels = picture(renderer, document, view);
+        const vec3 left = meanColor(pixels, view.size, ivec2(8, 8), ivec2(24, 56));
+        const vec3 right = meanColor(pixels, view.size, ivec2(40, 8), ivec2(56, 56));
+        EXPECT_GT(left.z, 1.5f * left.x) << skin;
+        EXPECT_GT(right.x, 1.5f * right.z) << skin;
+    }
+    for (uint v = 0; v < document.skin->vertices.size(); ++v)
+        document.groom.segmentOf.edit(v) = kNoSegment;
+    view.showSkin = true;
+    view.showOver = view.showUnder = false;
+    const vec3 none = meanColor(picture(renderer, document, view), view.size, ivec2(8), ivec2(56));
+    EXPECT_NEAR(none.x / none.y, 1.0f, 0.25f);
+    EXPECT_GT(none.x, 0.0f);
 }
 
 TEST(Renderer, OddSizesWork) {

@@ -284,6 +284,38 @@ class EditorInAWindow(WindowTest):
         editor.drag()
         editor.expect("commit")
 
+    def test_an_arrow_of_the_body_is_dragged_and_its_segment_painted(self):
+        self.mesh = self.path("animal.glb")
+        subprocess.run([PELAGE, "animal", "--triangles", "20000", "-o", self.mesh], check=True,
+                       stdout=subprocess.DEVNULL)
+        editor = self.start(self.mesh)
+        editor.ready()
+        for place in ((1167, 80), (1040, 170)):  # the tab Body, the row of the left ear
+            editor.do("mousemove", *place, "sleep", "0.3", "mousedown", 1, "sleep", "0.2",
+                      "mouseup", 1, "sleep", "0.5")
+        editor.do("mousemove", 478, 186)  # the tip of that ear
+        editor.expect("in reach: tip")
+        editor.do("mousedown", 1, "sleep", "0.2", "mousemove", 500, 170, "sleep", "0.2",
+                  "mousemove", 530, 140, "sleep", "0.5")
+        self.shoot("arrow.png")
+        editor.do("mouseup", 1)
+        editor.expect("commit Move axis of ear.left")
+        editor.key("ctrl+z")
+        editor.expect("undo Move axis")
+        editor.key("ctrl+shift+z")
+        editor.expect("redo Move axis")
+        editor.key("j")
+        editor.drag()
+        editor.expect("commit Segment stroke")
+        lines = editor.journal()
+        self.assertIn("\nbody move ear.left root ", lines)
+        self.assertIn("\nstroke segment ear.left ", lines)
+        again = self.restore(editor)
+        saved = again.save(self.path("body.glb"))
+        self.assertEqual(again.close(), 0)
+        self.assertReplayGives(lines, saved)
+        self.assertNotEqual(self.fur(saved), self.fur(self.mesh))
+
     def test_steps_from_before_saving_are_kept_both_ways(self):
         editor = self.start(self.mesh)
         editor.ready()
