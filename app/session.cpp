@@ -72,6 +72,7 @@ void meetSkin(Session& session, const Skin& skin, float aspect) {
     }
     setRadius(session, skin, kFirstRadius * skin.size());
     session.segment = {};
+    session.playback.playing = false;
     session.segment.vertices.resize(skin.segments().size());
     for (const SkinVertex& vertex : skin.vertices)
         if (vertex.segment < skin.segments().size()) ++session.segment.vertices[vertex.segment];

@@ -41,8 +41,16 @@ struct SegmentChoice {
     bool shown = false;   // in this frame: the axes are drawn
 };
 
+// How the animation goes on; which clip and when is in the workspace.
+struct Playback {
+    bool playing = false;
+    bool loop = true;
+    float speed = 1.0f;
+};
+
 struct Session {
     Camera camera;
+    Playback playback;
     Tool tool = Tool::comb;
     std::array<Brush, kToolCount>
         brushes;  // by Tool; radius, mirrorX and facingOnly are the same in all

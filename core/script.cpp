@@ -144,9 +144,7 @@ void runReset(Workspace& workspace, Words& words) {
     editor.commit(std::string("Reset ") + tool.name);
 }
 
-void runSegmentLine(Workspace& workspace, Words& words) {
-    runSegment(editorOf(workspace), words);
-}
+void runSegmentLine(Workspace& workspace, Words& words) { runSegment(editorOf(workspace), words); }
 
 void runComb(Workspace& workspace, Words& words) { runHeadToTail(editorOf(workspace), words); }
 
@@ -158,6 +156,10 @@ void runRegion(Workspace& workspace, Words& words) {
     applyRegion(*workspace.query, groom, region, change);
     editor.edit([&](Document& document) { document.groom = std::move(groom); });
     editor.commit(regionLabel(region, change));
+}
+
+void runPose(Workspace& workspace, Words& words) {
+    workspace.stand(poseFromWords(*editorOf(workspace).document().skin, words));
 }
 
 void runUndo(Workspace& workspace, Words& words) {
@@ -180,7 +182,7 @@ struct Command {
     const char* name;
     void (*run)(Workspace&, Words&);
 };
-constexpr std::array<Command, 13> kCommands{{{"open", runOpen},
+constexpr std::array<Command, 14> kCommands{{{"open", runOpen},
                                              {"animal", runAnimal},
                                              {"preset", runPreset},
                                              {"set", runSet},
@@ -190,6 +192,7 @@ constexpr std::array<Command, 13> kCommands{{{"open", runOpen},
                                              {"segment", runSegmentLine},
                                              {"comb", runComb},
                                              {"region", runRegion},
+                                             {"pose", runPose},
                                              {"undo", runUndo},
                                              {"redo", runRedo},
                                              {"save", runSave}}};
@@ -233,12 +236,27 @@ void Workspace::open(Document document) {
     auto newQuery = std::make_unique<SkinQuery>(document.skin);
     auto newEditor = std::make_unique<Editor>(std::move(document));
     stroke.reset();
+    pose = {};
+    posed.reset();
     query = std::move(newQuery);
     editor = std::move(newEditor);
 }
 
+void Workspace::stand(Pose to) {
+    cancelStroke();
+    posed = to.atRest() ? nullptr : posedSkin(editor->document().skin, to);
+    pose = std::move(to);
+}
+
+void Workspace::follow() {
+    const std::shared_ptr<const Skin>& rest = editor->document().skin;
+    if (posed && posed->source != rest->source) posed = posedSkin(rest, pose);
+    if (&query->skin() != shown().get()) query = std::make_unique<SkinQuery>(shown());
+}
+
 void Workspace::press(const Brush& brush, vec3 position, vec3 normal) {
     cancelStroke();
+    follow();
     stroke.emplace(*query, editor->document().groom, brush);
     drag(position, normal);
 }
@@ -270,7 +288,10 @@ void runLine(Workspace& workspace, std::string_view line) {
                                       [&](const Command& row) { return name == row.name; });
     if (command == kCommands.end()) throw std::runtime_error("no command " + inQuotes(name));
     workspace.cancelStroke();
-    if (workspace.editor) workspace.editor->cancel();
+    if (workspace.editor) {
+        workspace.editor->cancel();
+        workspace.follow();
+    }
     try {
         command->run(workspace, words);
     } catch (const std::runtime_error& error) {

@@ -8,8 +8,8 @@ namespace pelage {
 // Where the parts of the window are, in window units.
 struct Layout {
     ImVec2 window{0, 0};
-    float menu = 0, toolbar = 0, status = 0;  // heights
-    float left = 0, right = 0;                // widths of the columns
+    float menu = 0, toolbar = 0, status = 0, timeline = 0;  // heights; no timeline = no clips
+    float left = 0, right = 0;                              // widths of the columns
 };
 
 float drawMenu(App& app);  // its height
@@ -21,6 +21,8 @@ void drawRegions(App& app);
 void drawView(App& app);
 void drawHistory(App& app);
 void drawSegments(App& app);
+void drawTimeline(App& app, const Layout& layout);
+void drawMorphTargets(App& app);
 void drawStatus(App& app, const Layout& layout);
 void drawDialogs(App& app);
 void drawHelp(App& app);
