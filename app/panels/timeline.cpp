@@ -53,16 +53,23 @@ void drawTimeline(App& app, const Layout& layout) {
     ImGui::PopStyleVar();
     Playback& playback = app.session.playback;
     const Action& play = actionNamed("play.toggle");
+    const float top = ImGui::GetCursorPosY();
     const char* icon = playback.playing ? icon::kPause : icon::kPlay;
     if (iconButton(ui, icon, playback.playing ? "Pause" : "Play", false, true)) perform(app, play);
     tip(ui, play.help);
-    ImGui::SameLine();
+    // The fields stand in the middle of the strip, beside the taller buttons.
+    const float middle = 0.5f * (layout.timeline - ImGui::GetFrameHeight());
+    const auto besides = [](float y) {
+        ImGui::SameLine();
+        ImGui::SetCursorPosY(y);
+    };
+    besides(middle);
     drawClips(app);
-    ImGui::SameLine();
+    besides(middle);
     const float speedWidth = app.theme.px(64), loopWidth = app.theme.px(42);
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     drawScrubber(app, ImGui::GetContentRegionAvail().x - speedWidth - loopWidth - 2 * gap);
-    ImGui::SameLine();
+    besides(middle);
     ImGui::SetNextItemWidth(speedWidth);
     if (const auto speed = numberBar(ui, "##speed", playback.speed,
                                      {.least = 0.1f,
@@ -72,7 +79,7 @@ void drawTimeline(App& app, const Layout& layout) {
                                       .logarithmic = true,
                                       .help = "How fast the animation plays."}))
         playback.speed = *speed;
-    ImGui::SameLine();
+    besides(top);
     if (iconButton(ui, icon::kLoop, "Loop", playback.loop, true)) playback.loop = !playback.loop;
     tip(ui, "Begin again at the end.");
     ImGui::End();
