@@ -11,6 +11,7 @@
 #include "files.h"
 #include "gltf_out.h"
 #include "region_text.h"
+#include "rig.h"
 #include "script_text.h"
 #include "segment_text.h"
 #include "text.h"
@@ -39,6 +40,13 @@ std::string pathOf(Words& words) {
     const std::string path(words.path());
     if (path.empty()) throw std::runtime_error("names no file");
     return path;
+}
+
+// Whether the skin has the clip and the targets of a pose that another skin took.
+bool canStand(const Skin& skin, const Pose& pose) {
+    const Rig* rig = skin.source->rig.get();
+    return rig && pose.clip < static_cast<int>(rig->clips.size()) &&
+           (pose.weights.empty() || pose.weights.size() == rig->targets.size());
 }
 
 // "Comb stroke"
@@ -250,7 +258,10 @@ void Workspace::stand(Pose to) {
 
 void Workspace::follow() {
     const std::shared_ptr<const Skin>& rest = editor->document().skin;
-    if (posed && posed->source != rest->source) posed = posedSkin(rest, pose);
+    if (posed && posed->source != rest->source) {
+        if (!canStand(*rest, pose)) pose = {};
+        posed = pose.atRest() ? nullptr : posedSkin(rest, pose);
+    }
     if (&query->skin() != shown().get()) query = std::make_unique<SkinQuery>(shown());
 }
 

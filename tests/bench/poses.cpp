@@ -35,7 +35,8 @@ double median(std::vector<double> times) {
 void run(const char* file, const char* clip) {
     const Document document = openDocument(readSource(file));
     const Skin& skin = *document.skin;
-    Pose pose{.clip = clipNamed(skin, clip)};
+    Pose pose;
+    pose.clip = clipNamed(skin, clip);
     const float seconds = skin.source->rig->clips[static_cast<std::size_t>(pose.clip)].seconds;
     const HeadlessContext context;
     Renderer renderer;

@@ -352,6 +352,22 @@ TEST(PoseScript, APoseIsNoStepOfHistory) {
     EXPECT_FALSE(workspace.posed);
 }
 
+TEST(PoseScript, AnotherSkinStandsAsTheOneBefore) {
+    Workspace workspace;
+    workspace.open(documentOf(test::bendingSheet(6)));
+    const Document finer = documentOf(test::bendingSheet(12));
+    runLine(workspace, "pose bend 1");
+    workspace.editor->edit([&](Document& document) { document = finer; });
+    workspace.follow();
+    EXPECT_TRUE(sameVertices(*workspace.shown(), *posedSkin(finer.skin, {0, 1.0f, {}})));
+    EXPECT_EQ(&workspace.query->skin(), workspace.shown().get());
+    workspace.editor->edit(
+        [](Document& document) { document = documentOf(GltfMaker::triangle()); });
+    workspace.follow();
+    EXPECT_TRUE(workspace.pose.atRest());
+    EXPECT_EQ(&workspace.query->skin(), workspace.editor->document().skin.get());
+}
+
 bool sameBits(const Groom& a, const Groom& b) {
     for (std::size_t v = 0; v < a.fur.size(); ++v)
         if (std::memcmp(&a.fur[v], &b.fur[v], sizeof(FurVertex)) != 0 || a.mask[v] != b.mask[v])

@@ -1,6 +1,7 @@
 // gltf_fuzz.cpp -- no bytes, read as a glTF file and played, may crash, hang or take memory without
 // bound.
 #include <algorithm>
+#include <cmath>
 
 #include "core/gltf_in.h"
 #include "core/pose.h"
