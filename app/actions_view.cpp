@@ -1,4 +1,4 @@
-// actions_view.cpp -- the camera, overlays and the size of text.
+// actions_view.cpp -- the animation, the camera, overlays and the size of text.
 #include <GLFW/glfw3.h>
 
 #include <numbers>
@@ -9,11 +9,30 @@
 namespace pelage {
 namespace {
 
-constexpr int kControl = GLFW_MOD_CONTROL;
+constexpr int kControl = GLFW_MOD_CONTROL, kShift = GLFW_MOD_SHIFT;
 
 bool open(const App& app) { return app.isOpen(); }
 
 constexpr Action kActions[] = {
+    {"play.toggle",
+     "View",
+     "Play or pause",
+     icon::kPlay,
+     "Play the animation that the timeline shows, or hold it.",
+     {{{GLFW_KEY_SPACE}}},
+     playOrPause,
+     [](const App& app) { return app.rig() && !app.rig()->clips.empty(); },
+     [](const App& app) { return app.session.playback.playing; }},
+    {"play.rest",
+     "View",
+     "Rest pose",
+     "",
+     "Stand as the file does without animation.",
+     {{{GLFW_KEY_SPACE, kShift}}},
+     [](App& app) { stand(app, {}); },
+     [](const App& app) { return app.rig() != nullptr; },
+     [](const App& app) { return app.rig() && app.workspace.pose.atRest(); }},
+
     {"view.frame",
      "View",
      "Frame all",

@@ -21,6 +21,7 @@
 #include "core/gradient.h"
 #include "core/journal.h"
 #include "core/mask_edit.h"
+#include "core/rig.h"
 #include "core/script.h"
 
 namespace pelage {
@@ -60,6 +61,7 @@ struct App {
     std::size_t journalEnd = 0;   // the last step that its other lines make
     std::string journalFile;      // that the first line opens; empty for the animal
     std::string snapshot;         // the same when nobody else knows that file
+    Pose journalPose;             // that its lines so far end with
     bool restored = false;        // from a journal, and not saved since
     std::optional<Pending> pending;
     std::string file;     // what Save writes; empty until there is a .glb
@@ -79,8 +81,11 @@ struct App {
     Editor& editor() { return *workspace.editor; }
     const Editor& editor() const { return *workspace.editor; }
     const Document& document() const { return workspace.editor->document(); }
-    const Skin& skin() const { return *document().skin; }
+    const Skin& skin() const { return *workspace.shown(); }  // as it stands
+    // What can move it; null where nothing can.
+    const Rig* rig() const { return isOpen() ? skin().source->rig.get() : nullptr; }
     // True while every frame differs from the one before.
+    bool moves() const { return windBlows() || session.playback.playing; }
     bool windBlows() const {
         return isOpen() && session.view.playWind && document().fur.wind > 0.0f;
     }
@@ -118,6 +123,15 @@ void restartJournal(App& app, const std::string& file);
 std::string snapshotPath(const App& app);
 void restartFromSnapshot(App& app);
 void dropSnapshot(App& app);
+
+// How the animal stands (playback.cpp): no steps of history. Lines of the journal say it where an
+// edit after it depends on it.
+void stand(App& app, Pose pose);
+void playOrPause(App& app);
+// Between frames: goes on by so many seconds while it plays.
+void playOn(App& app, float seconds);
+// Before the pointer is used: a press pauses what plays, and finds the skin where it is seen.
+void meetPointer(App& app, bool mine);
 
 // Files (files.cpp). All of them ask first when work would be lost, and then go on by themselves.
 void leave(App& app, std::function<void()> then);

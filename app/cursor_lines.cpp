@@ -142,9 +142,10 @@ void updateLines(App& app) {
     lines.clear();
     if (!app.isOpen()) return;
     if (app.session.view.overlay == Overlay::direction) addArrows(app, lines);
-    if (std::exchange(app.session.segment.shown, false)) addAxes(app, lines);
+    const bool axes = std::exchange(app.session.segment.shown, false);
+    if (axes && !app.workspace.posed) addAxes(app, lines);  // they are those of the rest pose
     if (app.session.regionShown) addRegionOutline(app, lines);
-    addCursor(app, lines);
+    if (!app.session.playback.playing) addCursor(app, lines);
 }
 
 }  // namespace pelage

@@ -36,6 +36,10 @@ void note(App& app, std::string_view line) {
     app.touched = true;
     if (!app.journal) return;
     try {
+        if (!(app.journalPose == app.workspace.pose)) {
+            app.journal->append(poseLine(app.workspace.pose));
+            app.journalPose = app.workspace.pose;
+        }
         app.journal->append(line);
     } catch (const std::exception& error) {
         complain(app, error.what());
@@ -130,6 +134,7 @@ void restartJournal(App& app, const std::string& file) {
         return complain(app, error.what());
     }
     app.journalStep = app.journalEnd = app.editor().currentStep();
+    app.journalPose = {};
     app.journalFile = file;
     dropSnapshot(app);
 }
@@ -141,6 +146,7 @@ void restartFromSnapshot(App& app) {
     // The second line counts as an edit: without one it would be no lost work.
     app.journal->restart({"open " + path, "# not saved elsewhere"});
     app.journalStep = app.journalEnd = app.editor().currentStep();
+    app.journalPose = {};
     app.journalFile = path;
     if (app.snapshot != path) dropSnapshot(app);
     app.snapshot = path;

@@ -73,6 +73,7 @@ void takeOverWork(App& app, const LostWork& lost, Workspace opened, const std::s
     app.journalFile = file;
     app.journalStep = 0;
     app.journalEnd = app.editor().stepCount() - 1;
+    app.journalPose = app.workspace.pose;
     if (own) app.file.clear();
     tell(app, "Restored " + std::to_string(lost.edits) + " unsaved edits of " + app.name);
     trace(app, "restored " + std::to_string(lost.edits));

@@ -53,18 +53,20 @@ Layout layOut(App& app, float menu) {
         layout.toolbar = theme.px(36);
         layout.left = theme.px(214);
         layout.right = theme.px(318);
+        if (app.rig() && !app.rig()->clips.empty()) layout.timeline = theme.px(36);
     }
     Viewport& viewport = app.viewport;
     viewport.corner = {layout.left, layout.menu + layout.toolbar};
-    viewport.size = {std::max(layout.window.x - layout.left - layout.right, 16.0f),
-                     std::max(layout.window.y - viewport.corner.y - layout.status, 16.0f)};
+    viewport.size = {
+        std::max(layout.window.x - layout.left - layout.right, 16.0f),
+        std::max(layout.window.y - viewport.corner.y - layout.status - layout.timeline, 16.0f)};
     return layout;
 }
 
 void drawPicture(App& app, Renderer& renderer, FrameKeys& keys, double now, bool events) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool held = ImGui::IsAnyItemActive() && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
-    if (std::exchange(app.touched, false) || held || app.windBlows() ||
+    if (std::exchange(app.touched, false) || held || app.moves() ||
         !sameCamera(app.session.camera, keys.camera))
         keys.changed = now;
     if (app.windBlows()) app.session.view.windSeconds += io.DeltaTime;
@@ -87,6 +89,7 @@ void drawPicture(App& app, Renderer& renderer, FrameKeys& keys, double now, bool
     view.share = options.share;
     view.budget = moving ? options.budget : 0.0f;
     view.samples = moving ? 1 : options.samples;
+    view.posed = app.workspace.posed;
     view.background = {0.040f, 0.043f, 0.050f};
     view.lines = viewport.lines;
     // While the hand is on a panel, widgets answer first and the picture goes on afterwards. The
@@ -182,7 +185,11 @@ void drawFrame(App& app, Renderer& renderer, FrameKeys& keys, double now, bool e
         drawBrushPanel(app, layout);
         drawSidePanel(app, layout);
     }
-    usePointer(app, !asking(app) && !ImGui::GetIO().WantCaptureMouse);
+    drawTimeline(app, layout);
+    playOn(app, ImGui::GetIO().DeltaTime);
+    const bool mine = !asking(app) && !ImGui::GetIO().WantCaptureMouse;
+    meetPointer(app, mine);
+    usePointer(app, mine);
     useKeys(app, keys);
     if (app.isOpen() && !ImGui::IsAnyItemActive() && app.viewport.drag != Drag::axis)
         commitPending(app);

@@ -162,7 +162,7 @@ void pickValue(App& app) {
     if (!tool || !hit)
         return tell(app, tool ? "There is no skin under the pointer to pick from."
                               : "This brush sets no value that could be picked.");
-    const Picked picked = pickedAt(app.skin(), app.document().groom, *hit);
+    const Picked picked = pickedAt(*app.workspace.shown(), app.document().groom, *hit);
     Brush& brush = app.session.brush();
     std::string text;
     if (*tool == Tool::tint) {

@@ -86,6 +86,7 @@ void meetSkin(Session& session, const Skin& skin, float aspect) {
     ramp(Tool::length) = {vec3(firstLength(skin)), vec3(0.25f * firstLength(skin))};
     ramp(Tool::tint) = {kFirstTint, vec3(1.0f)};
     session.segment = {};
+    session.playback.playing = false;
     session.camera = Camera{};
     session.camera.yaw = 0.9f;  // from the animal's left shoulder, a little from above
     session.camera.pitch = 0.25f;

@@ -43,8 +43,16 @@ struct SegmentChoice {
     Chunked<uint> counted;              // what they were counted in
 };
 
+// How the animation goes on; which clip and when is in the workspace.
+struct Playback {
+    bool playing = false;
+    bool loop = true;
+    float speed = 1.0f;
+};
+
 struct Session {
     Camera camera;
+    Playback playback;
     Tool tool = Tool::comb;
     std::array<Brush, kToolCount>
         brushes;  // by Tool; radius, mirror, alongSurface and facingOnly are the same in all

@@ -41,6 +41,9 @@ constexpr const char* kHome = "\xEF\x80\x95";
 constexpr const char* kDisk = "\xEF\x82\xA0";
 constexpr const char* kUp = "\xEF\x85\x88";
 constexpr const char* kRecent = "\xEF\x80\x97";
+constexpr const char* kPlay = "\xEF\x81\x8B";
+constexpr const char* kPause = "\xEF\x81\x8C";
+constexpr const char* kLoop = "\xEF\x80\x9E";
 constexpr const char* kBox = "\xEF\x86\xB2";
 }  // namespace icon
 

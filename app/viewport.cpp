@@ -200,7 +200,7 @@ void usePointer(App& app, bool mine) {
     const bool stroke = viewport.drag == Drag::stroke;
     const bool free = viewport.inside && viewport.drag == Drag::none;
     if (viewport.drag != Drag::axis)
-        hoverAxis(app, free && app.session.hand.job == Job::paint);
+        hoverAxis(app, free && !app.workspace.posed && app.session.hand.job == Job::paint);
     const bool brush = stroke || (free && !viewport.axisEnd);
     viewport.hit = brush ? hitAt(app, stroke ? viewport.brushAt : viewport.pointer) : std::nullopt;
 }

@@ -225,7 +225,7 @@ void awaitEvents(Window& window) {
     App& app = window.app;
     const double now = glfwGetTime();
     double wait = 1e9;
-    if (window.redraws > 0 || window.closing || app.windBlows()) wait = 0.0;
+    if (window.redraws > 0 || window.closing || app.moves()) wait = 0.0;
     if (app.isOpen() && !app.stats.finished && !ImGui::GetIO().WantTextInput) wait = 0.0;
     if (window.keys.moving)
         wait = std::min(wait, std::max(window.keys.changed + kRest - now, 0.001));

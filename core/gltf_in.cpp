@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <utility>
 
 #include "gltf_accessor.h"
 #include "gltf_fur.h"
 #include "gltf_material.h"
 #include "gltf_nodes.h"
+#include "gltf_rig.h"
 #include "gltf_skin.h"
 #include "segment_parts.h"
 #include "source_check.h"
@@ -54,18 +55,6 @@ void append(std::vector<Vector>& all, const SourcePart& part, const std::vector<
         }
         all.push_back(value);
     }
-}
-
-// Weights of the morph targets as the file shows them: of the node, else of the mesh.
-std::vector<float> morphWeights(const GltfFile& file, const JsonPlace& mesh, std::size_t node,
-                                std::size_t targets) {
-    std::optional<JsonPlace> owner;
-    if (node != kNoNode && file.element("nodes", node).has("weights")) {
-        owner = file.element("nodes", node);
-    } else if (mesh.has("weights")) {
-        owner = mesh;
-    }
-    return owner ? owner->numbers("weights", targets) : std::vector<float>();
 }
 
 // Adds weight * offset of every target that weighs something.
@@ -272,7 +261,8 @@ Source readGltf(std::span<const std::byte> bytes, const std::string& path, Progr
     source.path = path;
     const std::vector<BaseColorUvs> uvsOf = readMaterials(file, source);
     const Nodes nodes = readNodes(file);
-    SkinReader skins(file, nodes);
+    Rig rig;
+    SkinReader skins(file, nodes, rig);
     Reading reading{file, source, nodes, skins, uvsOf};
     const std::size_t meshes = file.count("meshes");
     for (std::size_t m = 0; m < meshes; ++m) {
@@ -292,6 +282,7 @@ Source readGltf(std::span<const std::byte> bytes, const std::string& path, Progr
     }
     warnMissingFields(file, source);
     source.furBlock = furBlock(file);
+    source.rig = completeRig(file, source, nodes, std::move(rig));
     source.carried = file.carried;
     source.warnings = file.warnings.take();
     finishSource(source, file.name);

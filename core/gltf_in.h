@@ -1,4 +1,5 @@
-// gltf_in.h -- a glTF 2.0 file as a source: every accessor form, skins at rest, fur fields.
+// gltf_in.h -- a glTF 2.0 file as a source: every accessor form, skins at rest, what moves them,
+// fur fields.
 #pragma once
 
 #include <cstddef>

@@ -3,7 +3,6 @@
 #include "gltf_nodes.h"
 
 #include <cmath>
-#include <glm/gtc/quaternion.hpp>
 
 #include "text.h"
 
@@ -21,25 +20,19 @@ std::vector<std::size_t> indices(const JsonPlace& owner, const char* member) {
     return out;
 }
 
-mat4 localMatrix(const JsonPlace& node) {
+NodePlace placeAsRead(const JsonPlace& node) {
+    NodePlace place;
     if (const auto m = node.numbers("matrix", 16); !m.empty()) {
-        mat4 out;
+        mat4& out = place.matrix.emplace();
         for (int i = 0; i < 16; ++i) out[i / 4][i % 4] = m[static_cast<std::size_t>(i)];
-        return out;
+        return place;
     }
-    mat4 out(1.0f);
-    if (const auto r = node.numbers("rotation", 4); !r.empty()) {
-        const glm::dquat q(r[3], r[0], r[1], r[2]);
-        const double length = std::sqrt(glm::dot(q, q));
-        if (length > 0.0) out = mat4(glm::mat4_cast(q / length));
-    }
-    if (const auto s = node.numbers("scale", 3); !s.empty()) {
-        for (int i = 0; i < 3; ++i) out[i] *= s[static_cast<std::size_t>(i)];
-    }
-    if (const auto t = node.numbers("translation", 3); !t.empty()) {
-        out[3] = vec4(t[0], t[1], t[2], 1.0f);
-    }
-    return out;
+    if (const auto r = node.numbers("rotation", 4); !r.empty())
+        place.rotation = vec4(r[0], r[1], r[2], r[3]);
+    if (const auto s = node.numbers("scale", 3); !s.empty()) place.scale = vec3(s[0], s[1], s[2]);
+    if (const auto t = node.numbers("translation", 3); !t.empty())
+        place.translation = vec3(t[0], t[1], t[2]);
+    return place;
 }
 
 bool isFinite(const mat4& m) {
@@ -156,20 +149,20 @@ Nodes readNodes(GltfFile& file) {
     const Tree tree = readTree(file);
     // With one parent at most, whatever no root leads to is on a ring or below one.
     std::vector<char> reached(tree.parent.size(), 0);
-    const std::vector<std::size_t> order = below(tree, treeRoots(tree), reached);
     Nodes nodes;
-    nodes.toWorld.assign(tree.parent.size(), mat4(0.0f));
-    for (const std::size_t n : order) {
-        const JsonPlace node = file.element("nodes", n);
-        const mat4 local = localMatrix(node);
-        nodes.toWorld[n] =
-            tree.parent[n] == kNoNode ? local : nodes.toWorld[tree.parent[n]] * local;
-        if (!isFinite(nodes.toWorld[n])) node.refuse("its transform is too large for floats");
+    nodes.tree.parent = tree.parent;
+    nodes.tree.order = below(tree, treeRoots(tree), reached);
+    nodes.tree.places.reserve(tree.parent.size());
+    for (std::size_t n = 0; n < tree.parent.size(); ++n)
+        nodes.tree.places.push_back(placeAsRead(file.element("nodes", n)));
+    nodes.toWorld = worldMatrices(nodes.tree);
+    for (const std::size_t n : nodes.tree.order) {
+        if (!isFinite(nodes.toWorld[n]))
+            file.element("nodes", n).refuse("its transform is too large for floats");
     }
     for (std::size_t n = 0; n < reached.size(); ++n) {
         if (!reached[n]) file.element("nodes", n).refuse("is its own ancestor");
     }
-    nodes.parent = tree.parent;
     nodes.placeOf = placements(file, tree);
     return nodes;
 }

@@ -2,19 +2,17 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include "gltf_file.h"
+#include "rig.h"
 #include "types.h"
 
 namespace pelage {
 
-inline constexpr std::size_t kNoNode = std::numeric_limits<std::size_t>::max();
-
 struct Nodes {
-    std::vector<mat4> toWorld;        // of each node, at its own TRS or matrix
-    std::vector<std::size_t> parent;  // kNoNode for roots
+    NodeTree tree;              // each node at its own TRS or matrix
+    std::vector<mat4> toWorld;  // of each node
     // The node that shows each mesh: the first in the default scene, else in another, else kNoNode.
     std::vector<std::size_t> placeOf;
 };

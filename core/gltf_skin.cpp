@@ -71,6 +71,7 @@ const SkinReader::Skin& SkinReader::skin(std::size_t index) {
                          " joints");
         }
     }
+    skin.first = static_cast<uint>(rig_.joints.size());
     for (std::size_t j = 0; j < skin.joints.size(); ++j) {
         const mat4 bind = inverse.empty() ? mat4(1.0f) : matrixAt(inverse, j);
         const mat4 matrix = nodes_.toWorld[skin.joints[j]] * bind;
@@ -80,7 +81,8 @@ const SkinReader::Skin& SkinReader::skin(std::size_t index) {
                     place.refuse("the matrix of joint " + std::to_string(j) + " is not finite");
             }
         }
-        skin.matrices.push_back(matrix);
+        rig_.joints.push_back({skin.joints[j], bind});
+        atRest_.push_back(matrix);
     }
     return skins_.emplace(index, std::move(skin)).first->second;
 }
@@ -90,11 +92,13 @@ void SkinReader::bind(Source& source, const SourcePart& part, const JsonPlace& p
     const Skin& bones = skin(*file_.element("nodes", node).reference("skin"));
     const Influences influences = readInfluences(file_, part, primitive);
     if (bones.joints.empty()) primitive.refuse("is held by a skin without joints");
+    // Vertices of earlier parts that no joint holds.
+    rig_.firstInfluence.resize(part.firstVertex, static_cast<uint>(rig_.influences.size()));
     std::size_t unheld = 0;
     for (uint v = 0; v < part.vertexCount; ++v) {
-        mat4 sum(0.0f);
         float total = 0.0f, most = 0.0f;
         std::size_t dominant = influences.joints[0][v * std::size_t{4}];
+        rig_.firstInfluence.push_back(static_cast<uint>(rig_.influences.size()));
         for (std::size_t set = 0; set < influences.joints.size(); ++set) {
             for (std::size_t k = v * std::size_t{4}; k < v * std::size_t{4} + 4; ++k) {
                 const float weight = influences.weights[set][k];
@@ -109,7 +113,7 @@ void SkinReader::bind(Source& source, const SourcePart& part, const JsonPlace& p
                                      std::to_string(joint) + " of " +
                                      std::to_string(bones.joints.size()));
                 }
-                sum += weight * bones.matrices[joint];
+                rig_.influences.push_back({bones.first + static_cast<uint>(joint), weight});
                 total += weight;
                 if (weight > most) {
                     most = weight;
@@ -119,11 +123,13 @@ void SkinReader::bind(Source& source, const SourcePart& part, const JsonPlace& p
         }
         if (!(total > 0.0f) || !std::isfinite(total)) {
             dominant = std::min(dominant, bones.joints.size() - 1);
-            sum = bones.matrices[dominant];
-            total = 1.0f;
+            rig_.influences.resize(rig_.firstInfluence.back());
+            rig_.influences.push_back({bones.first + static_cast<uint>(dominant), 1.0f});
             ++unheld;
         }
-        source.vertexToWorld[part.firstVertex + v] = total == 1.0f ? sum : sum / total;
+        const std::span<const Influence> own(rig_.influences.data() + rig_.firstInfluence.back(),
+                                             rig_.influences.data() + rig_.influences.size());
+        source.vertexToWorld[part.firstVertex + v] = blended(own, atRest_);
         source.segmentOf[part.firstVertex + v] = static_cast<uint>(bones.joints[dominant]);
     }
     if (unheld > 0) {
@@ -150,8 +156,8 @@ Segment SkinReader::segment(std::size_t joint,
             countToHead += 1.0f;
         }
         end = countToHead > 0.0f ? sumToHead / countToHead : sum / count;
-    } else if (nodes_.parent[joint] != kNoNode) {
-        end = here + (here - placeOf(nodes_.parent[joint]));
+    } else if (nodes_.tree.parent[joint] != kNoNode) {
+        end = here + (here - placeOf(nodes_.tree.parent[joint]));
     }
     Segment out{file_.element("nodes", joint).string("name"), here, end};
     if (out.name.empty()) out.name = "joint " + std::to_string(joint);
@@ -160,20 +166,23 @@ Segment SkinReader::segment(std::size_t joint,
 }
 
 void SkinReader::nameSegments(Source& source) const {
-    std::vector<std::vector<std::size_t>> children(nodes_.parent.size());
-    std::vector<char> isJoint(nodes_.parent.size(), 0), towardsHead(nodes_.parent.size(), 0);
+    std::vector<std::vector<std::size_t>> children(nodes_.tree.parent.size());
+    std::vector<char> isJoint(nodes_.tree.parent.size(), 0),
+        towardsHead(nodes_.tree.parent.size(), 0);
     for (const auto& [index, skin] : skins_) {
         for (const std::size_t joint : skin.joints) {
             if (isJoint[joint]) continue;
             isJoint[joint] = 1;
-            if (nodes_.parent[joint] != kNoNode) children[nodes_.parent[joint]].push_back(joint);
+            if (nodes_.tree.parent[joint] != kNoNode)
+                children[nodes_.tree.parent[joint]].push_back(joint);
             if (!saysHead(file_.element("nodes", joint).string("name"))) continue;
-            for (std::size_t n = joint; n != kNoNode && !towardsHead[n]; n = nodes_.parent[n]) {
+            for (std::size_t n = joint; n != kNoNode && !towardsHead[n];
+                 n = nodes_.tree.parent[n]) {
                 towardsHead[n] = 1;
             }
         }
     }
-    std::vector<uint> segmentOf(nodes_.parent.size(), kNoJoint);
+    std::vector<uint> segmentOf(nodes_.tree.parent.size(), kNoJoint);
     uint rest = kNoJoint;
     for (uint& of : source.segmentOf) {
         uint& number = of == kNoJoint ? rest : segmentOf[of];

@@ -11,10 +11,11 @@
 
 namespace pelage {
 
-// Reads skins as parts ask for them.
+// Reads skins as parts ask for them; their joints and influences go to the rig.
 class SkinReader {
 public:
-    SkinReader(GltfFile& file, const Nodes& nodes) : file_(file), nodes_(nodes) {}
+    SkinReader(GltfFile& file, const Nodes& nodes, Rig& rig)
+        : file_(file), nodes_(nodes), rig_(rig) {}
 
     // Whether `part`, placed by `node`, is skinned: the node names a skin and the primitive has
     // joints and weights.
@@ -34,7 +35,7 @@ public:
 private:
     struct Skin {
         std::vector<std::size_t> joints;  // nodes
-        std::vector<mat4> matrices;       // from mesh space to the world
+        uint first = 0;                   // of them in the rig
     };
     const Skin& skin(std::size_t index);
     Segment segment(std::size_t joint, const std::vector<std::vector<std::size_t>>& children,
@@ -42,7 +43,9 @@ private:
 
     GltfFile& file_;
     const Nodes& nodes_;
+    Rig& rig_;
     std::map<std::size_t, Skin> skins_;
+    std::vector<mat4> atRest_;  // of each joint of the rig, from mesh space to the world
 };
 
 }  // namespace pelage

@@ -73,7 +73,7 @@ std::string gradientLine(const Gradient& gradient) {
            endText(gradient.tool, {gradient.to, gradient.end});
 }
 
-void runGradient(Editor& editor, Words& words) {
+void runGradient(const Skin& skin, Editor& editor, Words& words) {
     Gradient gradient;
     gradient.tool = toolNamed(words.next()).tool;
     const char* name = toolInfo(gradient.tool).name;
@@ -95,8 +95,7 @@ void runGradient(Editor& editor, Words& words) {
     gradient.start = from.value;
     gradient.to = to.place;
     gradient.end = to.value;
-    editor.edit(
-        [&](Document& document) { applyGradient(*document.skin, document.groom, gradient); });
+    editor.edit([&](Document& document) { applyGradient(skin, document.groom, gradient); });
     editor.commit(std::string("Gradient of ") + name);
 }
 

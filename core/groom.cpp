@@ -13,16 +13,6 @@ constexpr float kLean = 0.5f;  // |direction| of hair nobody has painted
 // Without segments: down and to the back of an animal that looks along +z.
 constexpr vec3 kDownAndBack{0.0f, -0.8f, -0.6f};
 
-// The first source vertex of each skin vertex, in file order.
-std::vector<uint> firstSourceVertex(const Skin& skin) {
-    constexpr uint kNone = ~0u;
-    std::vector<uint> first(skin.vertices.size(), kNone);
-    for (uint v = 0; v < skin.weld.size(); ++v) {
-        if (first[skin.weld[v]] == kNone) first[skin.weld[v]] = v;
-    }
-    return first;
-}
-
 float distanceToAxis(vec3 p, const Segment& segment) {
     const vec3 axis = segment.tip - segment.root;
     const float size = glm::dot(axis, axis);
@@ -94,7 +84,7 @@ Groom initialGroom(const Skin& skin) {
     if (!complete) paintFirst(skin, groom);
     if (!carried) return groom;
     // Of welded vertices with different values the first in the file counts.
-    const std::vector<uint> first = firstSourceVertex(skin);
+    const std::vector<uint>& first = skin.sourceOf;
     for (uint v = 0; v < count; ++v) {
         FurVertex& fur = groom.fur.edit(v);
         if (!carried->direction.empty()) fur.direction = carried->direction[first[v]];

@@ -78,7 +78,9 @@ std::vector<Run> cutRuns(const Skin& skin, const std::vector<uint>& order, doubl
     return runs;
 }
 
-void bound(Cluster& cluster, const Skin& skin, std::span<const uint> triangles) {
+void bound(Cluster& cluster, const Skin& skin) {
+    const auto triangles =
+        std::span(skin.spatialOrder).subspan(cluster.firstTriangle, cluster.triangleCount);
     vec3 lower(INFINITY), upper(-INFINITY);
     for (const uint t : triangles)
         for (int c = 0; c < 3; ++c) {
@@ -87,6 +89,7 @@ void bound(Cluster& cluster, const Skin& skin, std::span<const uint> triangles) 
             upper = glm::max(upper, place);
         }
     cluster.center = 0.5f * (lower + upper);
+    cluster.radius = 0.0f;
     for (const uint t : triangles)
         for (int c = 0; c < 3; ++c) {
             const vec3 place = skin.vertices[skin.triangles[t][c]].position;
@@ -95,7 +98,8 @@ void bound(Cluster& cluster, const Skin& skin, std::span<const uint> triangles) 
 }
 
 // Numbers of the roots in the order of their places on the Morton curve through the cluster.
-std::vector<uint> alongCurve(std::span<const Root> roots, const Cluster& cluster, const Skin& skin) {
+std::vector<uint> alongCurve(std::span<const Root> roots, const Cluster& cluster,
+                             const Skin& skin) {
     const vec3 lower = cluster.center - cluster.radius;
     const float cells = 1023.0f / std::max(2.0f * cluster.radius, 1e-30f);
     std::vector<std::uint64_t> keys(roots.size());  // place above, number below
@@ -172,11 +176,21 @@ Roots scatterRoots(const Skin& skin, uint hairs, uint seed) {
                 *next++ = Root{t, packBary(id), id, 0u};
             }
         }
-        bound(cluster, skin, std::span(order).subspan(runs[r].first, runs[r].end - runs[r].first));
+        cluster.firstTriangle = static_cast<uint>(runs[r].first);
+        cluster.triangleCount = static_cast<uint>(runs[r].end - runs[r].first);
+        bound(cluster, skin);
         orderByRank({result.roots.data() + cluster.first, cluster.count}, cluster, skin, seed);
     });
     std::erase_if(result.clusters, [](const Cluster& c) { return c.count == 0; });
     return result;
+}
+
+void boundClusters(Roots& roots, const Skin& posed) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, roots.clusters.size(), 64),
+                      [&](const auto& range) {
+                          for (std::size_t c = range.begin(); c < range.end(); ++c)
+                              bound(roots.clusters[c], posed);
+                      });
 }
 
 float autoWidth(const Skin& skin, uint hairs, float taper) {

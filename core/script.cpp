@@ -13,6 +13,7 @@
 #include "gradient.h"
 #include "mask_edit.h"
 #include "region_text.h"
+#include "rig.h"
 #include "script_text.h"
 #include "segment_text.h"
 #include "text.h"
@@ -41,6 +42,13 @@ std::string pathOf(Words& words) {
     const std::string path(words.path());
     if (path.empty()) throw std::runtime_error("names no file");
     return path;
+}
+
+// Whether the skin has the clip and the targets of a pose that another skin took.
+bool canStand(const Skin& skin, const Pose& pose) {
+    const Rig* rig = skin.source->rig.get();
+    return rig && pose.clip < static_cast<int>(rig->clips.size()) &&
+           (pose.weights.empty() || pose.weights.size() == rig->targets.size());
 }
 
 // "Comb stroke"
@@ -181,12 +189,17 @@ void runRegion(Workspace& workspace, Words& words) {
 }
 
 void runGradientLine(Workspace& workspace, Words& words) {
-    runGradient(editorOf(workspace), words);
+    Editor& editor = editorOf(workspace);
+    runGradient(workspace.query->skin(), editor, words);
 }
 
 void runMaskLine(Workspace& workspace, Words& words) {
     Editor& editor = editorOf(workspace);
     runMask(*workspace.query, editor, words);
+}
+
+void runPose(Workspace& workspace, Words& words) {
+    workspace.stand(poseFromWords(*editorOf(workspace).document().skin, words));
 }
 
 void runUndo(Workspace& workspace, Words& words) {
@@ -209,7 +222,7 @@ struct Command {
     const char* name;
     void (*run)(Workspace&, Words&);
 };
-constexpr std::array<Command, 16> kCommands{{{"open", runOpen},
+constexpr std::array<Command, 17> kCommands{{{"open", runOpen},
                                              {"animal", runAnimal},
                                              {"preset", runPreset},
                                              {"set", runSet},
@@ -222,6 +235,7 @@ constexpr std::array<Command, 16> kCommands{{{"open", runOpen},
                                              {"region", runRegion},
                                              {"gradient", runGradientLine},
                                              {"mask", runMaskLine},
+                                             {"pose", runPose},
                                              {"undo", runUndo},
                                              {"redo", runRedo},
                                              {"save", runSave}}};
@@ -265,12 +279,30 @@ void Workspace::open(Document document) {
     auto newQuery = std::make_unique<SkinQuery>(document.skin);
     auto newEditor = std::make_unique<Editor>(std::move(document));
     stroke.reset();
+    pose = {};
+    posed.reset();
     query = std::move(newQuery);
     editor = std::move(newEditor);
 }
 
+void Workspace::stand(Pose to) {
+    cancelStroke();
+    posed = to.atRest() ? nullptr : posedSkin(editor->document().skin, to);
+    pose = std::move(to);
+}
+
+void Workspace::follow() {
+    const std::shared_ptr<const Skin>& rest = editor->document().skin;
+    if (posed && posed->source != rest->source) {
+        if (!canStand(*rest, pose)) pose = {};
+        posed = pose.atRest() ? nullptr : posedSkin(rest, pose);
+    }
+    if (&query->skin() != shown().get()) query = std::make_unique<SkinQuery>(shown());
+}
+
 void Workspace::press(const Brush& brush, vec3 position, vec3 normal, float pressure) {
     cancelStroke();
+    follow();
     stroke.emplace(*query, editor->document().groom, brush);
     drag(position, normal, pressure);
 }
@@ -303,7 +335,10 @@ void runLine(Workspace& workspace, std::string_view line) {
                                       [&](const Command& row) { return name == row.name; });
     if (command == kCommands.end()) throw std::runtime_error("no command " + inQuotes(name));
     workspace.cancelStroke();
-    if (workspace.editor) workspace.editor->cancel();
+    if (workspace.editor) {
+        workspace.editor->cancel();
+        workspace.follow();
+    }
     try {
         command->run(workspace, words);
     } catch (const std::runtime_error& error) {

@@ -18,6 +18,8 @@
 //   segment NAME [axis x y z] [weight W]  combs a body segment along its own axis or this one
 //   body add|move|rename|remove NAME ...   the list of body segments, as segment_text.h says
 //   comb head-to-tail [weight W]           combs the whole body along its segments
+//   pose CLIP SECONDS [morph W W ...]      stands as at that moment of a clip, by name or number
+//   pose rest [morph W W ...]              the weights are those of the morph targets, in order
 //   undo
 //   redo
 //   save PATH                              refuses a name that does not end in .glb
@@ -27,9 +29,10 @@
 // there; strength is 0.5 for a stroke and 1 for a flood unless said. Only comb takes a direction,
 // and a flood of it needs one; only tint takes a color, linear RGB and 1 1 1 unless said; cut needs
 // a value; after the tool segment comes the NAME of a body segment, as segment_text.h writes it, or
-// # for none; part and clump cannot flood. Undo and redo at the end of the history do nothing. Numbers
-// are written so that they read back bit for bit. PATH and NAME of a preset are the rest of the
-// line.
+// # for none; part and clump cannot flood. Undo and redo at the end of the history do nothing. A pose
+// is no step of history: it says where the points of the strokes after it lie, until the next pose
+// or document. Numbers are written so that they read back bit for bit. PATH and NAME of a preset are
+// the rest of the line.
 #pragma once
 
 #include <memory>
@@ -39,17 +42,31 @@
 
 #include "brush.h"
 #include "editor.h"
+#include "pose.h"
 
 namespace pelage {
 
 // What a script runs on: an editor and what goes with its skin. Empty until something is opened.
 struct Workspace {
     std::unique_ptr<Editor> editor;
-    std::unique_ptr<SkinQuery> query;
-    std::optional<Stroke> stroke;  // between press and release
+    std::unique_ptr<SkinQuery> query;  // of the skin as it stands, see follow()
+    std::optional<Stroke> stroke;      // between press and release
+    Pose pose;
+    std::shared_ptr<const Skin> posed;  // null at rest
 
-    // Replaces the document. The old one stays if this throws.
+    // The skin as it stands: that of the document, in its pose.
+    const std::shared_ptr<const Skin>& shown() const {
+        return posed ? posed : editor->document().skin;
+    }
+
+    // Replaces the document, at rest. The old one stays if this throws.
     void open(Document document);
+
+    // Takes a stroke in progress back, and makes the skin stand so. Quick enough for every frame
+    // of an animation, because the query is left behind until follow().
+    void stand(Pose to);
+    // Makes posed and query those of the skin on screen; edits and presses do so by themselves.
+    void follow();
 
     // A stroke by hand. Drag and release do nothing without a press.
     void press(const Brush& brush, vec3 position, vec3 normal, float pressure = 1.0f);

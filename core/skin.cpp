@@ -1,6 +1,7 @@
 // skin.cpp -- from the vertices of a file to the surface of an animal.
 #include "skin.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
@@ -19,16 +20,6 @@ namespace pelage {
 namespace {
 
 constexpr uint kNone = ~0u;
-
-// Part of each source vertex.
-std::vector<uint> partOfVertex(const Source& source) {
-    std::vector<uint> part(source.positions.size(), 0);
-    for (uint p = 0; p < source.parts.size(); ++p) {
-        const SourcePart& run = source.parts[p];
-        std::fill_n(part.begin() + run.firstVertex, run.vertexCount, p);
-    }
-    return part;
-}
 
 uvec3 positionBits(vec3 p) {
     p += 0.0f;  // -0 and 0 are the same place
@@ -58,9 +49,9 @@ mat4 vertexMatrix(const Source& source, const std::vector<uint>& part, uint v) {
     return source.vertexToWorld.empty() ? source.parts[part[v]].toWorld : source.vertexToWorld[v];
 }
 
-Frame makeFrame(const mat4& toWorld) {
+Frame makeFrame(const mat3& toWorld) {
     Frame frame;
-    frame.toWorld = mat3(toWorld);
+    frame.toWorld = toWorld;
     const float determinant = glm::determinant(frame.toWorld);
     // Below this the inverse is noise: a flattened node keeps its fields as they are.
     const float size = glm::length(frame.toWorld[0]) + glm::length(frame.toWorld[1]) +
@@ -69,26 +60,33 @@ Frame makeFrame(const mat4& toWorld) {
         frame.toMesh = glm::inverse(frame.toWorld);
         frame.scale = std::cbrt(std::abs(determinant));
     }
+    if (size == 0.0f) frame.scale = 0.0f;
     return frame;
 }
 
-// Consecutive vertices usually share a matrix; each new one becomes a frame.
-void assignFrames(Skin& skin, const std::vector<uint>& part, const std::vector<uint>& sourceOf) {
-    const Source& source = *skin.source;
-    std::vector<uint> frameOfPart(source.parts.size(), kNone);
+// Consecutive vertices of a part usually share a matrix; each new one becomes a frame.
+template <typename MatrixOf>
+void assignFrames(Skin& skin, const std::vector<uint>& part, MatrixOf matrixOf) {
+    std::vector<uint> frameOfPart(skin.source->parts.size(), kNone);
+    skin.frames.clear();
     for (uint v = 0; v < skin.vertices.size(); ++v) {
-        const mat4 matrix = vertexMatrix(source, part, sourceOf[v]);
-        uint& known = frameOfPart[part[sourceOf[v]]];
-        if (known == kNone || skin.frames[known].toWorld != mat3(matrix)) {
+        const mat3 matrix(matrixOf(v));
+        uint& known = frameOfPart[part[skin.sourceOf[v]]];
+        if (known == kNone || skin.frames[known].toWorld != matrix) {
             known = static_cast<uint>(skin.frames.size());
-            skin.frames.push_back(makeFrame(matrix));
+            skin.frames.push_back({.toWorld = matrix});
         }
         skin.vertices[v].frame = known;
     }
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, skin.frames.size(), 4096),
+                      [&](const auto& range) {
+                          for (std::size_t f = range.begin(); f < range.end(); ++f)
+                              skin.frames[f] = makeFrame(skin.frames[f].toWorld);
+                      });
 }
 
-// Welds and sorts: fills weld and the positions of vertices; returns the source vertex of each.
-std::vector<uint> placeVertices(Skin& skin, const std::vector<uint>& part) {
+// Welds and sorts: fills weld, sourceOf and the positions of vertices.
+void placeVertices(Skin& skin, const std::vector<uint>& part) {
     const Source& source = *skin.source;
     const std::vector<uint> first = firstAtSamePlace(source, part);
 
@@ -113,51 +111,78 @@ std::vector<uint> placeVertices(Skin& skin, const std::vector<uint>& part) {
         return a.code != b.code ? a.code < b.code : a.vertex < b.vertex;
     });
 
-    std::vector<uint> sourceOf(order.size());
+    skin.sourceOf.resize(order.size());
     skin.vertices.assign(order.size(), SkinVertex{});
     skin.weld.assign(world.size(), kNone);
     for (uint v = 0; v < order.size(); ++v) {
-        sourceOf[v] = order[v].vertex;
+        skin.sourceOf[v] = order[v].vertex;
         skin.weld[order[v].vertex] = v;
         skin.vertices[v].position = world[order[v].vertex];
     }
     for (uint v = 0; v < world.size(); ++v) skin.weld[v] = skin.weld[first[v]];
-    return sourceOf;
 }
 
-// Areas, bounds, and normals weighted by the angle of each face at the vertex (Thuermer and
-// Wuethrich, "Computing Vertex Normals from Polygonal Facets", 1998), which do not depend on how
-// a flat piece was cut into triangles.
-void measureTriangles(Skin& skin) {
-    const Source& source = *skin.source;
+// What a triangle gives to the normals of its corners, and its area.
+struct Face {
+    glm::dvec3 atCorner[3]{};
+    float area = 0.0f;  // m^2
+};
+
+// Normals are weighted by the angle of each face at the vertex (Thuermer and Wuethrich, "Computing
+// Vertex Normals from Polygonal Facets", 1998), which do not depend on how a flat piece was cut
+// into triangles.
+Face faceOf(const Skin& skin, uvec3 corners) {
+    Face face;
+    glm::dvec3 p[3];
+    for (int c = 0; c < 3; ++c) p[c] = skin.vertices[corners[c]].position;
+    const glm::dvec3 cross = glm::cross(p[1] - p[0], p[2] - p[0]);
+    const double doubled = glm::length(cross);
+    face.area = static_cast<float>(0.5 * doubled);
+    if (!(face.area > 0.0f)) return face;
+    // A mirroring matrix turns faces inside out, and glTF turns them back.
+    const Frame& frame = skin.frames[skin.vertices[corners.x].frame];
+    const double side = glm::determinant(frame.toWorld) < 0.0f ? -1.0 : 1.0;
+    for (int c = 0; c < 3; ++c) {
+        const glm::dvec3 a = p[(c + 1) % 3] - p[c], b = p[(c + 2) % 3] - p[c];
+        const double angle = std::atan2(doubled, glm::dot(a, b));
+        face.atCorner[c] = cross * (side * angle / doubled);
+    }
+    return face;
+}
+
+// Calls visit(triangle, face) in the order of the triangles; what costs is done on all cores.
+template <typename Visit>
+void eachFace(const Skin& skin, Visit visit) {
+    constexpr std::size_t kBlock = 1 << 16;  // triangles, so that memory is bounded
+    std::vector<Face> faces(std::min(kBlock, skin.triangles.size()));
+    for (std::size_t first = 0; first < skin.triangles.size(); first += kBlock) {
+        const std::size_t count = std::min(kBlock, skin.triangles.size() - first);
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 2048), [&](const auto& range) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i)
+                faces[i] = faceOf(skin, skin.triangles[first + i]);
+        });
+        for (std::size_t i = 0; i < count; ++i) visit(first + i, faces[i]);
+    }
+}
+
+// Normals, bounds of the vertices that triangles name, and, at rest, the areas.
+void shapeVertices(Skin& skin, bool atRest) {
     std::vector<glm::dvec3> sum(skin.vertices.size(), glm::dvec3(0.0));
     std::vector<char> used(skin.vertices.size(), 0);
-    skin.areas.resize(skin.triangles.size());
-    for (const SourcePart& part : source.parts) {
-        // A mirroring matrix turns faces inside out, and glTF turns them back.
-        const double side = glm::determinant(mat3(part.toWorld)) < 0.0f ? -1.0 : 1.0;
-        for (uint t = part.firstTriangle; t < part.firstTriangle + part.triangleCount; ++t) {
-            const uvec3 corners = skin.triangles[t];
-            glm::dvec3 p[3];
-            for (int c = 0; c < 3; ++c) {
-                p[c] = skin.vertices[corners[c]].position;
-                used[corners[c]] = 1;
-            }
-            const glm::dvec3 cross = glm::cross(p[1] - p[0], p[2] - p[0]);
-            const double doubled = glm::length(cross);
-            skin.areas[t] = static_cast<float>(0.5 * doubled);
-            if (!(skin.areas[t] > 0.0f)) {
-                ++skin.report.degenerateFaces;
-                continue;
-            }
-            skin.area += skin.areas[t];
-            for (int c = 0; c < 3; ++c) {
-                const glm::dvec3 a = p[(c + 1) % 3] - p[c], b = p[(c + 2) % 3] - p[c];
-                const double angle = std::atan2(doubled, glm::dot(a, b));
-                sum[corners[c]] += cross * (side * angle / doubled);
-            }
+    if (atRest) skin.areas.reserve(skin.triangles.size());
+    eachFace(skin, [&](std::size_t t, const Face& face) {
+        const uvec3 corners = skin.triangles[t];
+        for (int c = 0; c < 3; ++c) {
+            used[corners[c]] = 1;
+            if (face.area > 0.0f) sum[corners[c]] += face.atCorner[c];
         }
-    }
+        if (!atRest) return;
+        skin.areas.push_back(face.area);
+        if (face.area > 0.0f)
+            skin.area += face.area;
+        else
+            ++skin.report.degenerateFaces;
+    });
     bool any = false;
     for (uint v = 0; v < skin.vertices.size(); ++v) {
         const double size = glm::length(sum[v]);
@@ -168,6 +193,7 @@ void measureTriangles(Skin& skin) {
         skin.upper = any ? glm::max(skin.upper, p) : p;
         any = true;
     }
+    skin.radius = 0.0f;
     for (uint v = 0; v < skin.vertices.size(); ++v)
         if (used[v])
             skin.radius =
@@ -205,14 +231,14 @@ std::shared_ptr<const Skin> makeSkin(Source source, Progress* progress) {
     const Source& kept = *skin->source;
 
     const std::vector<uint> part = partOfVertex(kept);
-    const std::vector<uint> sourceOf = placeVertices(*skin, part);
-    assignFrames(*skin, part, sourceOf);
+    placeVertices(*skin, part);
+    assignFrames(*skin, part, [&](uint v) { return vertexMatrix(kept, part, skin->sourceOf[v]); });
     step(0.4f);
 
     skin->triangles.reserve(kept.triangles.size());
     for (const uvec3 t : kept.triangles)
         skin->triangles.emplace_back(skin->weld[t.x], skin->weld[t.y], skin->weld[t.z]);
-    measureTriangles(*skin);
+    shapeVertices(*skin, true);
     skin->spatialOrder = orderByVertex(*skin);
     step(0.6f);
 
@@ -230,15 +256,25 @@ std::shared_ptr<const Skin> makeSkin(Source source, Progress* progress) {
     return skin;
 }
 
+void moveVertices(Skin& skin, std::span<const vec3> places, std::span<const mat4> toWorld) {
+    assert(places.size() == skin.vertices.size() && toWorld.size() == skin.vertices.size());
+    for (std::size_t v = 0; v < places.size(); ++v) skin.vertices[v].position = places[v];
+    assignFrames(skin, partOfVertex(*skin.source), [&](uint v) { return toWorld[v]; });
+    shapeVertices(skin, false);
+    skin.outward = false;  // bent skin may show its inside
+}
+
 FurVertex furToWorld(const Skin& skin, uint v, FurVertex fur) {
     const Frame& frame = skin.frames[skin.vertices[v].frame];
-    fur.direction = frame.toWorld * fur.direction / frame.scale;
+    fur.direction = frame.toWorld * fur.direction;
+    if (frame.scale > 0.0f) fur.direction /= frame.scale;
     fur.furLength *= frame.scale;
     return fur;
 }
 
 FurVertex furToMesh(const Skin& skin, uint v, FurVertex fur) {
     const Frame& frame = skin.frames[skin.vertices[v].frame];
+    if (!(frame.scale > 0.0f)) return fur;
     fur.direction = frame.toMesh * fur.direction * frame.scale;
     fur.furLength /= frame.scale;
     return fur;

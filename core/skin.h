@@ -16,7 +16,8 @@ namespace pelage {
 struct Frame {
     mat3 toWorld{1.0f};
     mat3 toMesh{1.0f};   // inverse, or identity where toWorld is singular
-    float scale = 1.0f;  // cube root of |determinant|: world length of a mesh-space length of 1
+    float scale = 1.0f;  // cube root of |determinant|: world length of a mesh-space length of 1;
+                         // 0 where toWorld is, as of a joint that is scaled away
 };
 
 // What was found on the way from a file to a skin.
@@ -33,18 +34,19 @@ struct LoadReport {
 };
 
 struct Skin {
-    // World space, rest pose. Welded by exact position within a mesh, in Morton order, so that
-    // neighbours in space are neighbours in memory.
+    // World space, at rest unless pose.h made it. Welded by exact position within a mesh at rest,
+    // in Morton order, so that neighbours in space are neighbours in memory.
     std::vector<SkinVertex> vertices;
-    std::vector<uvec3> triangles;   // skin vertices; in the order of the source file, none dropped
-    std::vector<float> areas;       // m^2, one per triangle
+    std::vector<uvec3> triangles;    // skin vertices; in the order of the source file, none dropped
+    std::vector<float> areas;        // m^2, one per triangle; at rest, also in a pose
     std::vector<uint> spatialOrder;  // the triangles by their first vertex: neighbours are near
-    double area = 0.0;              // m^2, of all triangles
-    vec3 lower{0.0f}, upper{0.0f};  // bounds of the vertices that triangles use, m
-    float radius = 0.0f;            // m, of the ball around center() that holds those vertices
-    bool outward = false;           // closed, and no back face is ever seen from outside
-    std::vector<uint> weld;         // source vertex -> skin vertex
-    std::vector<Frame> frames;      // SkinVertex::frame points here
+    double area = 0.0;               // m^2, of all triangles; at rest
+    vec3 lower{0.0f}, upper{0.0f};   // bounds of the vertices that triangles use, m
+    float radius = 0.0f;             // m, of the ball around center() that holds those vertices
+    bool outward = false;            // closed, and no back face is ever seen from outside
+    std::vector<uint> weld;          // source vertex -> skin vertex
+    std::vector<uint> sourceOf;      // skin vertex -> the first source vertex that was welded to it
+    std::vector<Frame> frames;       // SkinVertex::frame points here
     LoadReport report;
     std::shared_ptr<const Source> source;  // never null
 
@@ -63,6 +65,10 @@ struct Skin {
 // Welds, sorts, and counts what is wrong with the mesh. Topology comes from an OpenMesh half-edge
 // mesh in which non-manifold edges are opened; the skin itself keeps every triangle.
 std::shared_ptr<const Skin> makeSkin(Source source, Progress* progress = nullptr);
+
+// Moves the vertices: places in the world, and the matrices of their vectors from mesh space.
+// Frames, normals and bounds follow; what roots of hair depend on (topology and areas) stays.
+void moveVertices(Skin& skin, std::span<const vec3> places, std::span<const mat4> toWorld);
 
 // The painted values of vertex v, which are kept in the file's mesh space, in the world, and back.
 FurVertex furToWorld(const Skin& skin, uint v, FurVertex inMesh);

@@ -48,6 +48,15 @@ Reader byExtension(std::string extension) {
 
 }  // namespace
 
+std::vector<uint> partOfVertex(const Source& source) {
+    std::vector<uint> part(source.positions.size(), 0);
+    for (uint p = 0; p < source.parts.size(); ++p) {
+        const SourcePart& run = source.parts[p];
+        std::fill_n(part.begin() + run.firstVertex, run.vertexCount, p);
+    }
+    return part;
+}
+
 Source readSource(const std::string& path, Progress* progress) {
     const std::vector<std::byte> bytes = readFile(path, kMaxFileBytes);
     if (bytes.empty()) throw std::runtime_error(path + ": is empty");

@@ -14,6 +14,7 @@
 
 namespace pelage {
 
+struct Rig;          // what moves the vertices, see rig.h
 struct CarriedGltf;  // the glTF as it was in the file; known to gltf_in and gltf_out only
 
 // A run of vertices and triangles that share a material and a place: one glTF primitive.
@@ -84,7 +85,11 @@ struct Source {
     std::size_t fileVertices = 0;       // vertices as the file counts them (OBJ: its v lines)
     std::vector<std::string> warnings;  // one line each, for the load report
     std::shared_ptr<const CarriedGltf> carried;  // null when the source is not glTF
+    std::shared_ptr<const Rig> rig;              // null where nothing moves
 };
+
+// Number of the part that each vertex belongs to.
+std::vector<uint> partOfVertex(const Source& source);
 
 // Reads .glb, .gltf, .obj, .ply, .off or .stl; which one is decided by content where it can be, by
 // the extension otherwise. Throws std::runtime_error with one line "file: what, where, numbers".

@@ -11,9 +11,6 @@
 namespace pelage {
 namespace {
 
-// Products of three such lengths stay finite as float.
-constexpr float kMaxCoordinate = 1e12f;  // m
-
 template <typename T>
 void complete(std::vector<T>& values, std::size_t size, T missing) {
     if (!values.empty()) values.resize(size, missing);

@@ -8,6 +8,9 @@
 
 namespace pelage {
 
+// Products of three such lengths stay finite as float.
+inline constexpr float kMaxCoordinate = 1e12f;  // m
+
 // Sets the length of the arrays that only some parts filled, and refuses (naming `file`) a source
 // without triangles, a vertex whose place in the world is not finite or is so far out that areas
 // overflow, and asserts that triangles name vertices of their own part.

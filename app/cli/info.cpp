@@ -6,6 +6,7 @@
 #include "app/cli/print.h"
 #include "core/carried_counts.h"
 #include "core/document.h"
+#include "core/rig.h"
 
 namespace pelage {
 namespace {
@@ -27,6 +28,10 @@ OrderedJson infoOf(const std::string& file, const Document& document) {
     const Skin& skin = *document.skin;
     const LoadReport& report = skin.report;
     const CarriedCounts carried = carriedCounts(*skin.source);
+    OrderedJson clips = OrderedJson::array();
+    if (const auto& rig = skin.source->rig)
+        for (const Clip& clip : rig->clips)
+            clips.push_back({{"name", clip.name}, {"seconds", clip.seconds}});
     OrderedJson segments = OrderedJson::array();
     for (const Segment& segment : document.groom.body()) segments.push_back(segment.name);
     return {{"file", file},
@@ -41,6 +46,7 @@ OrderedJson infoOf(const std::string& file, const Document& document) {
             {"segments", segments},
             {"joints", carried.joints},
             {"animations", carried.animations},
+            {"clips", clips},
             {"morphTargets", carried.morphTargets},
             {"materials", carried.materials},
             {"images", carried.images},
@@ -77,6 +83,8 @@ std::string textOf(const OrderedJson& info) {
         names += (names.empty() ? "" : ", ") + segment.get<std::string>();
     }
     line("segments", names.empty() ? "none" : names);
+    for (const auto& clip : info["clips"])
+        line("clip", clip["name"].get<std::string>() + ", " + number(clip["seconds"]) + " s");
     line("bounds", vectorText(info["bounds"]["min"]) + " to " + vectorText(info["bounds"]["max"]));
     line("fur", info["hasFur"].get<bool>() ? "yes" : "no");
     for (const auto& [field, range] : info["fields"].items()) {

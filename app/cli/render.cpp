@@ -3,11 +3,13 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include "app/cli/cli.h"
 #include "app/cli/input.h"
 #include "app/cli/picture.h"
 #include "app/cli/print.h"
+#include "core/pose.h"
 
 namespace pelage {
 namespace {
@@ -18,7 +20,9 @@ struct Options {
     InputOptions input;
     std::string output;
     std::string size = "900x900";
-    std::string technique;  // style of both coats; empty = each its own
+    std::string technique;             // style of both coats; empty = each its own
+    std::string clip;                  // name or number; empty = at rest
+    float time = 0.0f;                 // s
     std::optional<float> distance;     // m
     float yaw = 35.0f, pitch = 12.0f;  // degrees
     int samples = 16, repeat = 3;
@@ -71,6 +75,16 @@ View viewOf(const Document& document, const Options& options) {
     return view;
 }
 
+std::shared_ptr<const Skin> standing(const Document& document, const Options& options) {
+    try {
+        return posedSkin(document.skin,
+                         {clipNamed(*document.skin, options.clip), options.time, {}});
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error((options.input.file.empty() ? "animal" : options.input.file) +
+                                 ": " + error.what());
+    }
+}
+
 // The hair styles by name: "ribbon", or "ribbon/polyline" for overcoat and undercoat.
 std::string techniqueOf(const Fur& fur) {
     const Parameter& row = styleRow();
@@ -114,7 +128,8 @@ void render(const Options& options, bool json) {
     if (!options.technique.empty()) setParameter(document.fur, "both.style", options.technique);
     const HeadlessContext context;
     Renderer renderer;
-    const View view = viewOf(document, options);
+    View view = viewOf(document, options);
+    if (!options.clip.empty()) view.posed = standing(document, options);
     const std::vector<double> times = timeFrames(renderer, document, view, options.repeat);
     const FrameStats stats = drawFinished(renderer, document, view);
     writePicture(options.output, renderer, view.size);
@@ -145,6 +160,13 @@ void addRender(CLI::App& app, bool& json) {
                      "How hair is drawn, in place of the coats' own styles")
         ->type_name("NAME")
         ->check(CLI::IsMember(std::vector<std::string>(styles.begin(), styles.end())));
+    verb->add_option("--clip", options->clip,
+                     "Stand as in this animation, by name or number; see pelage info")
+        ->type_name("NAME");
+    verb->add_option("--time", options->time, "Seconds from the start of the clip")
+        ->type_name("T")
+        ->capture_default_str()
+        ->check(between(-1e6f, 1e6f));
     verb->add_option("--distance", options->distance,
                      "m from the eye to the middle of the model; without it the model is framed")
         ->type_name("D")

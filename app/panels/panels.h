@@ -10,8 +10,8 @@ namespace pelage {
 // Where the parts of the window are, in window units.
 struct Layout {
     ImVec2 window{0, 0};
-    float menu = 0, toolbar = 0, status = 0;  // heights
-    float left = 0, right = 0;                // widths of the columns
+    float menu = 0, toolbar = 0, status = 0, timeline = 0;  // heights; no timeline = no clips
+    float left = 0, right = 0;                              // widths of the columns
 };
 
 float drawMenu(App& app);  // its height
@@ -29,6 +29,8 @@ void drawHistory(App& app);
 void drawSegments(App& app);
 // A drop-down list of the body segments; the number of the one that is chosen now.
 uint segmentRow(App& app, uint chosen);
+void drawTimeline(App& app, const Layout& layout);
+void drawMorphTargets(App& app);
 void drawStatus(App& app, const Layout& layout);
 void drawDialogs(App& app);
 void drawHelp(App& app);

@@ -11,6 +11,8 @@ void drawView(App& app) {
     toggleRow(ui, "Overcoat", &view.showOver, "The long guard hairs.");
     toggleRow(ui, "Undercoat", &view.showUnder, "The short, dense hair below them.");
 
+    drawMorphTargets(app);
+
     caption(ui, "OVERLAY");
     constexpr const char* kOverlays[] = {"None",      "Length", "Density",
                                          "Direction", "Mask",   "Segments"};

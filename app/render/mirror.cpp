@@ -52,7 +52,6 @@ void Mirror::uploadSkin(const Skin& skin) {
     BaseColors colors = makeBaseColors(source);
     baseColors_ = std::move(colors.texture);
     materials_.upload(view(colors.materials));
-    skinVertices_.upload(view(skin.vertices));
     parts_ = partsOf(source);
     triangles_.upload(view(trianglesWithMaterial(skin, parts_)));
     sourceTriangles_.upload(view(source.triangles));
@@ -90,7 +89,7 @@ void Mirror::uploadGroom(const Document& document, bool all) {
         inWorld.clear();
         longestOfChunk_[c] = 0.0f;
         for (uint i = 0; i < chunk.size(); ++i) {
-            inWorld.push_back(furToWorld(*document.skin, first + i, chunk[i]));
+            inWorld.push_back(furToWorld(*shown_, first + i, chunk[i]));
             longestOfChunk_[c] = std::max(longestOfChunk_[c], inWorld.back().furLength);
         }
         furVertices_.write(first * sizeof(FurVertex), view(inWorld));
@@ -101,16 +100,22 @@ void Mirror::uploadGroom(const Document& document, bool all) {
     groom_ = document.groom;
 }
 
-bool Mirror::update(const Document& document) {
+bool Mirror::update(const Document& document, const std::shared_ptr<const Skin>& posed) {
+    const std::shared_ptr<const Skin>& shown = posed ? posed : document.skin;
     const bool newSkin = document.skin != skin_;
-    const bool newGroom = newSkin || !(document.groom == groom_);
+    const bool newPose = shown != shown_;
+    const bool newGroom = newPose || !(document.groom == groom_);
     const bool newFur = newSkin || !(document.fur == fur_);
     chunksUploaded_ = 0;
     if (newSkin) {
         uploadSkin(*document.skin);
         skin_ = document.skin;
     }
-    if (newGroom) uploadGroom(document, newSkin);
+    if (newPose) {
+        skinVertices_.upload(view(shown->vertices));
+        shown_ = shown;
+    }
+    if (newGroom) uploadGroom(document, newPose);
     const bool newRoots =
         newSkin || document.fur.hairs != fur_.hairs || document.fur.seed != fur_.seed;
     if (newRoots) roots_ = scatterRoots(*document.skin, document.fur.hairs, document.fur.seed);
@@ -119,11 +124,13 @@ bool Mirror::update(const Document& document) {
         assignGuides(roots_, *document.skin, document.fur);
         rootBuffer_.upload(view(roots_.roots));
     }
+    // Roots are scattered with bounds at rest.
+    if (newRoots ? shown_ != skin_ : newPose) boundClusters(roots_, *shown_);
     if (newFur) {
         fur_ = document.fur;
         furBlock_.upload(std::span<const Fur>(&fur_, 1));
     }
-    return newSkin || newGroom || newFur;
+    return newGroom || newFur;
 }
 
 void Mirror::bind() const {

@@ -19,10 +19,11 @@ struct CornerData {  // as Corner in shaders/frame.glsl
 
 class Mirror {
 public:
-    // Makes the GPU's copy equal to the document. Uploads the skin when it is another one, roots
-    // when their number or seed changed, and of the groom the chunks that are not those uploaded
-    // last. Returns true if anything differed.
-    bool update(const Document& document);
+    // Makes the GPU's copy equal to the document, standing as `posed` (pose.h) where that is not
+    // null. Uploads the skin when it is another one, roots when their number or seed changed, and
+    // of the groom the chunks that are not those uploaded last; in another pose the vertices and
+    // all of the groom, and the roots stay. Returns true if anything differed.
+    bool update(const Document& document, const std::shared_ptr<const Skin>& posed = nullptr);
 
     // Binds every buffer and texture of frame.glsl, the fur block, the mask, the segments and
     // the roots.
@@ -36,7 +37,8 @@ public:
     };
     const std::vector<Part>& parts() const { return parts_; }
     const gl::Buffer& indices() const { return sourceTriangles_; }
-    bool outward() const { return skin_->outward; }
+    // As it stands.
+    const Skin& skin() const { return *shown_; }
     bool textured() const { return textured_; }
     // m, of all vertices
     float longestHair() const;
@@ -50,7 +52,7 @@ private:
     void uploadChunks(gl::Buffer& buffer, const Chunked<T>& now, const Chunked<T>& before,
                       bool all);
 
-    std::shared_ptr<const Skin> skin_;
+    std::shared_ptr<const Skin> skin_, shown_;  // at rest, and as it stands
     Groom groom_;
     Fur fur_{};
     Roots roots_;

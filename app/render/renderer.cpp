@@ -170,13 +170,13 @@ struct Renderer::Parts {
                     float share) const;
     std::size_t drawStrands(const Canvas& canvas, const Document& document, const View& view,
                             const FrameData& frame, StrandPlan strands, const CostModel& cost);
-    mat4 viewProjection(const Document& document, const View& view) const;
+    mat4 viewProjection(const View& view) const;
 };
 
-mat4 Renderer::Parts::viewProjection(const Document& document, const View& view) const {
-    const float radius = document.skin->radius + mirror.longestHair();
+mat4 Renderer::Parts::viewProjection(const View& view) const {
+    const float radius = mirror.skin().radius + mirror.longestHair();
     const float aspect = static_cast<float>(view.size.x) / static_cast<float>(view.size.y);
-    return view.camera.projection(aspect, document.skin->center(), radius) * view.camera.view();
+    return view.camera.projection(aspect, mirror.skin().center(), radius) * view.camera.view();
 }
 
 FrameData Renderer::Parts::frameData(const Document& document, const View& view, int sample,
@@ -186,7 +186,7 @@ FrameData Renderer::Parts::frameData(const Document& document, const View& view,
     const vec2 offset = 2.0f * sampleOffset(sample) / vec2(pixels);
     mat4 shift(1.0f);
     shift[3] = vec4(offset, 0.0f, 1.0f);
-    frame.viewProjection = shift * viewProjection(document, view);
+    frame.viewProjection = shift * viewProjection(view);
     frame.eye = camera.eye();
     frame.forward = camera.forward();
     frame.perspective = camera.orthographic ? 0.0f : 1.0f;
@@ -267,7 +267,7 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
                                  std::to_string(view.size.y) + " pixels cannot be drawn");
     Parts& p = *parts_;
     const auto start = Clock::now();
-    const bool changed = p.mirror.update(document);
+    const bool changed = p.mirror.update(document, view.posed);
     const PictureKey key(view);
     const int wanted = std::clamp(view.samples, 1, 1024);
     // A single sample is shown as it is and not kept in the sum, so more of them begin anew.
@@ -298,7 +298,7 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
         const double strandSeconds = secondsSince(strandStart);
         if (!single) p.postPass.accumulate(canvas.color, p.samples == 0);
         ++p.samples;
-        p.postPass.display(p.samples, canvas.color, view.lines, p.viewProjection(document, view),
+        p.postPass.display(p.samples, canvas.color, view.lines, p.viewProjection(view),
                            canvas.depth);
         glFinish();
         p.stats.seconds = secondsSince(start);
@@ -311,7 +311,7 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
         p.stats.samples = p.samples;
     } else if (!view.lines.empty() || p.linesShown) {
         const Canvas& canvas = p.blurred ? p.coarse : p.fine;
-        p.postPass.display(p.samples, canvas.color, view.lines, p.viewProjection(document, view),
+        p.postPass.display(p.samples, canvas.color, view.lines, p.viewProjection(view),
                            canvas.depth);
     }
     p.linesShown = !view.lines.empty();

@@ -24,14 +24,15 @@ struct View {
     ivec2 size{900, 900};  // pixels
     Overlay overlay = Overlay::none;
     bool showSkin = true, showOver = true, showUnder = true;
-    uint segments = 8;           // of a polyline, [1, 16]
-    float tolerance = 0.3f;      // pixels by which ribbons, curves and tubes may miss their curve
-    uint sides = 0;              // of a tube, [3, 8]; 0 = as many as its width on screen needs
-    float seconds = 0.0f;        // how long the wind has blown
-    bool cullByDistance = true;  // van Gelder and Wilhelms 1997, 3.3: hairs ~ 1/distance
-    float share = 1.0f;          // of the hairs that the distance leaves, the share drawn, (0,1]
-    float budget = 0.0f;         // s per frame; 0 = no bound. With a bound share is lowered to fit
-    int samples = 1;             // frames that the still picture averages, [1, 1024]
+    uint segments = 8;       // of a polyline, [1, 16]
+    float tolerance = 0.3f;  // pixels by which ribbons, curves and tubes may miss their curve
+    uint sides = 0;          // of a tube, [3, 8]; 0 = as many as its width on screen needs
+    float seconds = 0.0f;    // how long the wind has blown
+    std::shared_ptr<const Skin> posed;  // the document's skin as it stands (pose.h); null = at rest
+    bool cullByDistance = true;         // van Gelder and Wilhelms 1997, 3.3: hairs ~ 1/distance
+    float share = 1.0f;   // of the hairs that the distance leaves, the share drawn, (0,1]
+    float budget = 0.0f;  // s per frame; 0 = no bound. With a bound share is lowered to fit
+    int samples = 1;      // frames that the still picture averages, [1, 1024]
     vec3 background{0.58f, 0.63f, 0.69f};  // linear RGB
     std::span<const OverlayLine> lines;
     bool operator==(const View&) const = delete;

@@ -11,7 +11,7 @@ void SkinPass::draw(const Mirror& mirror) const {
     glBindVertexArray(vertexArray_.name());
     glVertexArrayElementBuffer(vertexArray_.name(), mirror.indices().name());
     glEnable(GL_DEPTH_TEST);
-    if (mirror.outward()) {
+    if (mirror.skin().outward) {
         glEnable(GL_CULL_FACE);
     } else {
         glDisable(GL_CULL_FACE);

@@ -2,6 +2,7 @@
 # cli_test.sh PROGRAM -- every verb: what it prints, its errors of one line, its exit status.
 set -uo pipefail
 program=$(realpath "$1")
+tail=$(realpath "$(dirname "${BASH_SOURCE[0]}")/../golden/tail.gltf")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
@@ -187,6 +188,24 @@ good render --animal 2000 --hairs 0 --size 32x32 --samples 1 -o bald.png
 good render --animal 2000 --hairs 3000 --size 64x64 --samples 2 -o one.png
 good render --animal 2000 --hairs 3000 --size 64x64 --samples 2 -o two.png
 cmp -s one.png two.png || fail "the same picture twice differs"
+json 'j.animations === 2' 'j.clips.map(c => c.name).join() === "curl,rise"' \
+    'j.clips[0].seconds === 1' -- info "$tail" --json
+for pose in "--clip curl --time 0.5" "--clip 1 --time 0.5" "--clip curl" ""; do
+    # shellcheck disable=SC2086 -- several options in one word
+    good render "$tail" $pose --hairs 2000 --size 64x64 --samples 1 -o "pose-${pose// /_}.png"
+done
+cmp -s pose---clip_curl_--time_0.5.png pose---clip_1_--time_0.5.png || fail "a clip by its number"
+cmp -s pose---clip_curl_--time_0.5.png pose-.png && fail "a pose changes nothing"
+cmp -s pose---clip_curl.png pose-.png || fail "the first key of curl is the rest pose"
+bad 1 '.*tail\.gltf: no clip "Walk"; there are "curl", "rise"' \
+    render "$tail" --clip Walk -o never.png
+bad 1 'tetra\.obj: nothing of this animal can move' render tetra.obj --clip 1 -o never.png
+bad 2 'render .*--time' render "$tail" --clip 1 --time soon -o never.png
+printf 'pose curl 0.5\nflood length set 0.01\npose rest\n' >pose.txt
+good export "$tail" --script pose.txt -o posed.glb
+printf 'pose 3 0.5\n' >pose.txt
+bad 1 'pose\.txt: line 1: pose: no clip "3"' export "$tail" --script pose.txt -o never.glb
+
 bad 1 'no/such/x\.png: ' render tetra.obj --size 8x8 --samples 1 -o no/such/x.png
 for size in 0x8 8x 8 8x8x8 x8 -1x8 8x9000 '8 x8' ''; do
     bad 2 'render .*--size' render tetra.obj --size "$size" -o never.png

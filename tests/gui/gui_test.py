@@ -259,6 +259,32 @@ class EditorInAWindow(WindowTest):
         self.assertEqual(self.fur(saved), self.fur(self.path("untouched.glb")))
         self.assertNotEqual(self.fur(saved), self.fur(self.path("saved.glb")))
 
+    def test_a_press_on_a_playing_animal_paints_it_as_it_stands(self):
+        self.mesh = os.path.join(MESHES, "Fox.glb")
+        if not os.path.exists(self.mesh):
+            self.skipTest("Fox.glb is not there")
+        editor = self.start(self.mesh)
+        editor.ready()
+        editor.key("space")
+        editor.expect("play")
+        time.sleep(1)
+        editor.drag()
+        pose = editor.expect("pause")
+        editor.expect("commit Comb")
+        self.shoot("posed.png")
+        editor.key("shift+space")
+        editor.drag()
+        editor.expect("commit Comb")
+        lines = editor.journal()
+        self.assertTrue(pose.startswith("pose 1 "), pose)
+        self.assertEqual([line.split()[0] for line in lines.split("\n")[1:-1]],
+                         ["pose", "stroke", "pose", "stroke"])
+        self.assertIn("\n" + pose + "\nstroke comb", lines)
+        self.assertIn("\npose rest\n", lines)
+        saved = editor.save(self.path("posed.glb"))
+        self.assertEqual(editor.close(), 0)
+        self.assertReplayGives(lines, saved)
+
     def restore(self, killed):
         """Kills the editor and takes up its work in another one."""
         killed.process.send_signal(signal.SIGKILL)
