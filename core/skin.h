@@ -42,6 +42,7 @@ struct Skin {
     double area = 0.0;              // m^2, of all triangles
     vec3 lower{0.0f}, upper{0.0f};  // bounds of the vertices that triangles use, m
     float radius = 0.0f;            // m, of the ball around center() that holds those vertices
+    float spacing = 0.0f;           // m, median length of the edges
     bool outward = false;           // closed, and no back face is ever seen from outside
     std::vector<uint> weld;         // source vertex -> skin vertex
     std::vector<Frame> frames;      // SkinVertex::frame points here
