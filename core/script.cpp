@@ -13,7 +13,9 @@
 #include "region_text.h"
 #include "script_text.h"
 #include "segment_text.h"
+#include "subdivide.h"
 #include "text.h"
+#include "transfer.h"
 
 namespace pelage {
 namespace {
@@ -160,6 +162,31 @@ void runRegion(Workspace& workspace, Words& words) {
     editor.commit(regionLabel(region, change));
 }
 
+void runSubdivide(Workspace& workspace, Words& words) {
+    Editor& editor = editorOf(workspace);
+    int levels = 1;
+    if (const std::string_view word = words.next(); !word.empty()) {
+        levels = 0;
+        for (int n = 1; n <= kMostLevels; ++n)
+            if (word == std::to_string(n)) levels = n;
+        if (levels == 0)
+            throw std::runtime_error(inQuotes(word) + " is no whole number from 1 to " +
+                                     std::to_string(kMostLevels));
+    }
+    expectEnd(words);
+    Document after = subdivided(editor.document(), levels);
+    editor.edit([&](Document& document) { document = std::move(after); });
+    editor.commit(kSubdivideLabel);
+}
+
+void runTransfer(Workspace& workspace, Words& words) {
+    Editor& editor = editorOf(workspace);
+    Document after =
+        transferred(openDocument(readSource(pathOf(words))), editor.document()).document;
+    editor.edit([&](Document& document) { document = std::move(after); });
+    editor.commit(kTransferLabel);
+}
+
 void runUndo(Workspace& workspace, Words& words) {
     expectEnd(words);
     editorOf(workspace).undo();
@@ -180,7 +207,7 @@ struct Command {
     const char* name;
     void (*run)(Workspace&, Words&);
 };
-constexpr std::array<Command, 13> kCommands{{{"open", runOpen},
+constexpr std::array<Command, 15> kCommands{{{"open", runOpen},
                                              {"animal", runAnimal},
                                              {"preset", runPreset},
                                              {"set", runSet},
@@ -190,6 +217,8 @@ constexpr std::array<Command, 13> kCommands{{{"open", runOpen},
                                              {"segment", runSegmentLine},
                                              {"comb", runComb},
                                              {"region", runRegion},
+                                             {"subdivide", runSubdivide},
+                                             {"transfer", runTransfer},
                                              {"undo", runUndo},
                                              {"redo", runRedo},
                                              {"save", runSave}}};
@@ -237,6 +266,23 @@ void Workspace::open(Document document) {
     editor = std::move(newEditor);
 }
 
+void Workspace::follow() {
+    const std::shared_ptr<const Skin>& skin = editor->document().skin;
+    if (&query->skin() != skin.get()) query = std::make_unique<SkinQuery>(skin);
+}
+
+bool Workspace::undo() {
+    const bool undone = editor->undo();
+    follow();
+    return undone;
+}
+
+bool Workspace::redo() {
+    const bool redone = editor->redo();
+    follow();
+    return redone;
+}
+
 void Workspace::press(const Brush& brush, vec3 position, vec3 normal) {
     cancelStroke();
     stroke.emplace(*query, editor->document().groom, brush);
@@ -273,6 +319,7 @@ void runLine(Workspace& workspace, std::string_view line) {
     if (workspace.editor) workspace.editor->cancel();
     try {
         command->run(workspace, words);
+        if (workspace.editor) workspace.follow();
     } catch (const std::runtime_error& error) {
         throw std::runtime_error(std::string(name) + ": " + error.what());
     }
@@ -296,6 +343,12 @@ std::string setLine(const Fur& before, const Fur& after) {
     addChanges(changes, "fur", furParameters(), before, after);
     return changes.empty() ? changes : "set" + changes;
 }
+
+std::string subdivideLine(int levels) {
+    return levels == 1 ? "subdivide" : "subdivide " + std::to_string(levels);
+}
+
+std::string transferLine(const std::string& path) { return "transfer " + path; }
 
 std::string floodLine(const Brush& brush, vec3 direction) {
     std::string line = "flood " + toolText(brush);

@@ -12,6 +12,8 @@
 //   reset TOOL                             what the tool paints, as it was before any painting
 //   segment NAME [axis x y z] [weight W]  combs a body segment along its own axis or this one
 //   comb head-to-tail [weight W]           combs the whole body along its segments
+//   subdivide [LEVELS]                     four triangles for each, once unless said (subdivide.h)
+//   transfer PATH                          the groom of another file on this mesh (transfer.h)
 //   undo
 //   redo
 //   save PATH                              refuses a name that does not end in .glb
@@ -19,7 +21,8 @@
 // strength is 0.5 for a stroke and 1 for a flood unless said. Only comb takes a direction, and a
 // flood of it needs one; only tint takes a color, linear RGB and 1 1 1 unless said; cut needs a
 // value; part and clump cannot flood. Undo and redo at the end of the history do nothing. Numbers
-// are written so that they read back bit for bit. PATH and NAME of a preset are the rest of the line.
+// are written so that they read back bit for bit. PATH and NAME of a preset are the rest of the
+// line.
 #pragma once
 
 #include <memory>
@@ -41,6 +44,13 @@ struct Workspace {
     // Replaces the document. The old one stays if this throws.
     void open(Document document);
 
+    // Makes `query` that of the skin on screen, which undo, redo and edits of the mesh change.
+    // Whoever changes the document past this interface calls it.
+    void follow();
+    // Of the editor; `query` follows.
+    bool undo();
+    bool redo();
+
     // A stroke by hand. Drag and release do nothing without a press.
     void press(const Brush& brush, vec3 position, vec3 normal);
     void drag(vec3 position, vec3 normal);
@@ -50,6 +60,10 @@ struct Workspace {
     // Takes the stroke back.
     void cancelStroke();
 };
+
+// Labels of the steps that the editor's own window makes of the same edits.
+inline constexpr const char* kSubdivideLabel = "Subdivide";
+inline constexpr const char* kTransferLabel = "Transfer groom";
 
 // Runs one line; each line that edits ends in one commit. Drops edits that were not committed, and
 // a stroke in progress. Throws std::runtime_error with what is wrong in the line; the document is
@@ -66,6 +80,9 @@ std::string replayJournal(Workspace& workspace, const std::string& path);
 // The line that makes `after` of `before`, bit for bit: "set over.stiffness 0.3 fur.hairs 90000".
 // Empty when they are equal.
 std::string setLine(const Fur& before, const Fur& after);
+
+std::string subdivideLine(int levels);
+std::string transferLine(const std::string& path);
 
 // The line of a flood. The direction counts for comb only.
 std::string floodLine(const Brush& brush, vec3 direction = vec3(0.0f));
