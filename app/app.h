@@ -17,13 +17,14 @@
 #include "app/viewport.h"
 #include "app/widgets.h"
 #include "app/work.h"
+#include "core/edge_cuts.h"
 #include "core/gltf_out.h"
 #include "core/journal.h"
 #include "core/script.h"
 
 namespace pelage {
 
-enum class Dialog { none, unsaved, lostWork, open, saveAs, exportAs };
+enum class Dialog { none, unsaved, lostWork, open, saveAs, exportAs, transfer, subdivide };
 
 struct Dialogs {
     Dialog current = Dialog::none;
@@ -31,6 +32,8 @@ struct Dialogs {
     std::function<void()> then;  // goes on once unsaved work is saved or given up
     ExportOptions exportOptions;
     bool exportCheck = true;     // open the written file again and compare
+    std::vector<MeshSize> sizes;  // of the mesh now and subdivided once, twice, ...
+    int levels = 1;               // of which this one is chosen
     std::vector<LostWork> lost;  // offered one after the other
     std::string problem;         // shown in a box until it is read; empty = none
     bool help = false, report = false;
@@ -101,6 +104,9 @@ void resetSkin(App& app);                                         // what the br
 void editRegion(App& app);                                        // as the session says
 void combAlong(App& app, uint segment, vec3 axis, float weight);  // world
 void combBody(App& app, float weight);                            // from head to tail
+// A step that was made elsewhere: its document, the query of its skin, and the line that makes it.
+void takeStep(App& app, Document after, std::unique_ptr<SkinQuery> query, const char* label,
+              const std::string& line);
 void beginStroke(App& app, const Brush& brush, const SkinHit& hit);
 void endStroke(App& app);
 void cancelStroke(App& app);
@@ -110,6 +116,11 @@ void restartJournal(App& app, const std::string& file);
 std::string snapshotPath(const App& app);
 void restartFromSnapshot(App& app);
 void dropSnapshot(App& app);
+
+// Edits of the whole mesh, which take long (mesh_edits.cpp).
+void askSubdivide(App& app);
+void subdivideMesh(App& app, int levels);
+void transferFrom(App& app, const std::string& path);
 
 // Files (files.cpp). All of them ask first when work would be lost, and then go on by themselves.
 void leave(App& app, std::function<void()> then);
@@ -122,5 +133,8 @@ void restoreWork(App& app, const LostWork& lost);
 void discardWork(App& app, const LostWork& lost);
 void askForFile(App& app, Dialog purpose);
 void requestQuit(App& app);
+// A job beside the main thread; its errors are shown, `cancelled` when it was given up.
+void startWork(App& app, const std::string& label, std::function<Finish(Progress&)> job,
+               const std::string& cancelled);
 
 }  // namespace pelage

@@ -65,6 +65,13 @@ void stepped(App& app, bool wasFull, std::string_view line) {
     trace(app, "commit " + std::string(app.editor().undoLabel()));
 }
 
+// What the window keeps of a skin, once another one is on screen.
+void meetOtherSkin(App& app, const std::shared_ptr<const Skin>& before) {
+    if (app.document().skin == before) return;
+    app.viewport.hit.reset();
+    meetSegments(app.session, app.skin());
+}
+
 // A step that a script line makes: run through the same code that replays it.
 void runStep(App& app, const std::string& line) {
     commitPending(app);
@@ -155,7 +162,9 @@ void commitPending(App& app) {
 void undo(App& app) {
     commitPending(app);
     const std::string label(app.editor().undoLabel());
-    if (!app.editor().undo()) return;
+    const auto skin = app.document().skin;
+    if (!app.workspace.undo()) return;
+    meetOtherSkin(app, skin);
     note(app, "undo");
     keepJournalReachable(app);
     tell(app, "Undone: " + label);
@@ -164,7 +173,9 @@ void undo(App& app) {
 
 void redo(App& app) {
     commitPending(app);
-    if (!app.editor().redo()) return;
+    const auto skin = app.document().skin;
+    if (!app.workspace.redo()) return;
+    meetOtherSkin(app, skin);
     note(app, "redo");
     keepJournalReachable(app);
     const std::string label(app.editor().undoLabel());
@@ -193,6 +204,17 @@ void combAlong(App& app, uint segment, vec3 axis, float weight) {
 }
 
 void combBody(App& app, float weight) { runStep(app, headToTailLine(weight)); }
+
+void takeStep(App& app, Document after, std::unique_ptr<SkinQuery> query, const char* label,
+              const std::string& line) {
+    commitPending(app);
+    const bool full = historyFull(app);
+    const auto skin = app.document().skin;
+    app.editor().edit([&](Document& document) { document = std::move(after); });
+    if (query) app.workspace.query = std::move(query);
+    if (app.editor().commit(label)) stepped(app, full, line);
+    meetOtherSkin(app, skin);
+}
 
 void beginStroke(App& app, const Brush& brush, const SkinHit& hit) {
     commitPending(app);

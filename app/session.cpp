@@ -59,6 +59,13 @@ void setFacingOnly(Session& session, bool on) {
     for (Brush& brush : session.brushes) brush.facingOnly = on;
 }
 
+void meetSegments(Session& session, const Skin& skin) {
+    session.segment = {};
+    session.segment.vertices.resize(skin.segments().size());
+    for (const SkinVertex& vertex : skin.vertices)
+        if (vertex.segment < skin.segments().size()) ++session.segment.vertices[vertex.segment];
+}
+
 void meetSkin(Session& session, const Skin& skin, float aspect) {
     for (const ToolInfo& info : tools()) {
         Brush& brush = session.brushes[static_cast<std::size_t>(info.tool)];
@@ -71,10 +78,7 @@ void meetSkin(Session& session, const Skin& skin, float aspect) {
         if (info.tool == Tool::mask) brush.value = 1.0f;
     }
     setRadius(session, skin, kFirstRadius * skin.size());
-    session.segment = {};
-    session.segment.vertices.resize(skin.segments().size());
-    for (const SkinVertex& vertex : skin.vertices)
-        if (vertex.segment < skin.segments().size()) ++session.segment.vertices[vertex.segment];
+    meetSegments(session, skin);
     session.camera = Camera{};
     session.camera.yaw = 0.9f;  // from the animal's left shoulder, a little from above
     session.camera.pitch = 0.25f;

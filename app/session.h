@@ -62,6 +62,8 @@ float modelRadius(const Skin& skin);
 
 // Brushes and camera for an animal that was just opened; view options and brush habits stay.
 void meetSkin(Session& session, const Skin& skin, float aspect);
+// Of these, the segments alone: for the skin of an animal whose mesh was edited.
+void meetSegments(Session& session, const Skin& skin);
 
 // Radii of brushes, in sizes of the skin: of an animal that was just opened, and the limits.
 inline constexpr float kFirstRadius = 0.05f, kSmallestRadius = 0.002f, kLargestRadius = 0.5f;

@@ -6,6 +6,7 @@
 #include "app/cli/print.h"
 #include "core/carried_counts.h"
 #include "core/document.h"
+#include "core/spacing.h"
 
 namespace pelage {
 namespace {
@@ -27,6 +28,8 @@ OrderedJson infoOf(const std::string& file, const Document& document) {
     const Skin& skin = *document.skin;
     const LoadReport& report = skin.report;
     const CarriedCounts carried = carriedCounts(*skin.source);
+    std::vector<std::string> warnings = report.warnings;
+    for (std::string& note : spacingNotes(document)) warnings.push_back(std::move(note));
     OrderedJson segments = OrderedJson::array();
     for (const Segment& segment : skin.segments()) segments.push_back(segment.name);
     return {{"file", file},
@@ -48,7 +51,8 @@ OrderedJson infoOf(const std::string& file, const Document& document) {
             {"fields", fieldsOf(document)},
             {"bounds", {{"min", jsonOf(skin.lower)}, {"max", jsonOf(skin.upper)}}},
             {"area", skin.area},
-            {"warnings", report.warnings}};
+            {"spacing", skin.spacing},
+            {"warnings", warnings}};
 }
 
 std::string number(const OrderedJson& value) {
@@ -78,6 +82,7 @@ std::string textOf(const OrderedJson& info) {
     }
     line("segments", names.empty() ? "none" : names);
     line("bounds", vectorText(info["bounds"]["min"]) + " to " + vectorText(info["bounds"]["max"]));
+    line("spacing", number(info["spacing"]));
     line("fur", info["hasFur"].get<bool>() ? "yes" : "no");
     for (const auto& [field, range] : info["fields"].items()) {
         line("fur " + field, number(range["min"]) + " to " + number(range["max"]));

@@ -1,11 +1,14 @@
 // brush_panel.cpp -- the left column: the tools and the brush.
+#include <algorithm>
 #include <cstdio>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/actions.h"
 #include "app/panels/panels.h"
 #include "app/tool_icons.h"
+#include "core/spacing.h"
 
 namespace pelage {
 namespace {
@@ -121,6 +124,26 @@ void drawFlood(App& app, const Brush& brush) {
     }
 }
 
+// Empty unless the brush is smaller than the mesh is fine, where the pointer is or at large.
+std::string coarseNote(const App& app) {
+    if (!app.isOpen()) return {};
+    const Skin& skin = app.skin();
+    const float radius = app.session.brush().radius;
+    const std::optional<SkinHit>& hit = app.viewport.hit;
+    if (!hit) {
+        if (radius >= skin.spacing) return {};
+        return "The vertices of the mesh are " + lengthText(skin.spacing) + " apart.";
+    }
+    const uvec3 corners = skin.triangles[hit->triangle];
+    if (radius >= std::max({spacingAt(skin, corners.x), spacingAt(skin, corners.y),
+                            spacingAt(skin, corners.z)}))
+        return {};
+    std::vector<uint> under;
+    app.workspace.query->within(hit->position, radius, under);
+    return "The mesh has " + (under.empty() ? "no" : std::to_string(under.size())) +
+           (under.size() == 1 ? " vertex" : " vertices") + " under this brush.";
+}
+
 }  // namespace
 
 void drawBrushPanel(App& app, const Layout& layout) {
@@ -163,6 +186,8 @@ void drawBrushPanel(App& app, const Layout& layout) {
     ImGui::PushFont(app.theme.small);
     ImGui::PushStyleColor(ImGuiCol_Text, color::kDim);
     ImGui::TextWrapped("Ctrl exchanges the two ways of the brush.\nShift smooths.");
+    if (const std::string note = coarseNote(app); !note.empty())
+        ImGui::TextWrapped("%s", note.c_str());
     ImGui::PopStyleColor();
     ImGui::PopFont();
     ImGui::End();
