@@ -78,22 +78,21 @@ void AccessorReplacer::release(const OrderedJson& accessor) {
 std::size_t AccessorReplacer::replace(std::size_t old) {
     OrderedJson& accessors = draft_.json.at("accessors");
     OrderedJson& views = draft_.json.at("bufferViews");
+    OrderedJson& before = accessors.at(old);
+    keepWords(before, accessors.back());
+    const OrderedJson oldView = before.value("bufferView", OrderedJson());
+    if (!oldView.is_null()) keepWords(views.at(oldView.get<std::size_t>()), views.back());
     takeOne(accessors_, old);
     if (accessors_.contains(old)) return accessors.size() - 1;
 
-    OrderedJson fresh = std::move(accessors.back());
+    release(before);
+    before = accessors.back();
     accessors.erase(accessors.size() - 1);
-    OrderedJson& place = accessors.at(old);
-    release(place);
-    if (place.contains("bufferView") && !views_.contains(place["bufferView"])) {
-        OrderedJson& view = views.at(place["bufferView"].get<std::size_t>());
-        keepWords(view, views.back());
-        view = views.back();
+    if (!oldView.is_null() && !views_.contains(oldView.get<std::size_t>())) {
+        views.at(oldView.get<std::size_t>()) = views.back();
         views.erase(views.size() - 1);
-        fresh["bufferView"] = place["bufferView"];
+        accessors.at(old)["bufferView"] = oldView;
     }
-    keepWords(place, fresh);
-    place = std::move(fresh);
     return old;
 }
 

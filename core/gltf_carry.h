@@ -21,6 +21,9 @@ void embedPictures(GlbDraft& draft, const CarriedGltf& carried);
 // to _FUR_SEGMENT.
 GlbDraft builtDraft(const Source& source);
 
+// Either, whichever the source is, with its pictures and without any fur fields.
+GlbDraft bareDraft(const Source& source);
+
 // "image/png", "image/jpeg", "image/webp" or "image/ktx2" by the first bytes, else "".
 std::string pictureType(std::span<const std::byte> bytes);
 

@@ -32,15 +32,6 @@ bool isTinted(const Groom& groom) {
     return false;
 }
 
-// The source as a draft without fur.
-GlbDraft bareDraft(const Source& source) {
-    if (!source.carried) return builtDraft(source);
-    GlbDraft draft = carriedDraft(*source.carried);
-    stripFields(draft, source.parts);
-    embedPictures(draft, *source.carried);
-    return draft;
-}
-
 }  // namespace
 
 std::vector<std::byte> groomedGlb(const Document& document, const ExportOptions& options,

@@ -273,18 +273,11 @@ void putPart(Writing& to, const SourcePart& part, const LoopPart& shape,
     putTriangles(to, part, *shape.cuts);
 }
 
-GlbDraft draftOfSource(const Source& source) {
-    if (!source.carried) return builtDraft(source);
-    GlbDraft draft = carriedDraft(*source.carried);
-    embedPictures(draft, *source.carried);
-    return draft;
-}
-
 }  // namespace
 
 std::vector<std::byte> subdividedGlb(const Source& source, std::span<const PartCuts> cuts,
                                      Progress* progress) {
-    GlbDraft draft = draftOfSource(source);
+    GlbDraft draft = bareDraft(source);
     GltfFile file = openGltf(packGlb(draft), source.path);
     AccessorReplacer replacer(draft);
     Writing to{source, file, draft, replacer};

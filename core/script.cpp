@@ -268,7 +268,9 @@ void Workspace::open(Document document) {
 
 void Workspace::follow() {
     const std::shared_ptr<const Skin>& skin = editor->document().skin;
-    if (&query->skin() != skin.get()) query = std::make_unique<SkinQuery>(skin);
+    if (&query->skin() == skin.get()) return;
+    stroke.reset();  // it asks the old one
+    query = std::make_unique<SkinQuery>(skin);
 }
 
 bool Workspace::undo() {

@@ -43,6 +43,28 @@ void checkSize(std::size_t triangles) {
                              std::to_string(kMostTriangles));
 }
 
+// Fields that the file held, which reset brings back, on the vertices of the parts.
+template <typename T>
+std::vector<T> onNewParts(const std::vector<T>& field, const Source& before,
+                          std::span<const PartCuts> cuts) {
+    std::vector<T> out;
+    for (std::size_t p = 0; p < cuts.size() && !field.empty(); ++p) {
+        const auto first = field.begin() + before.parts[p].firstVertex;
+        std::vector<T> values(first, first + before.parts[p].vertexCount);
+        carryOver(values, cuts[p], [](const T& a, const T& b) { return 0.5f * (a + b); });
+        out.insert(out.end(), values.begin(), values.end());
+    }
+    return out;
+}
+
+std::unique_ptr<SourceFur> furOnNewParts(const Source& before, std::span<const PartCuts> cuts) {
+    if (!before.fur) return nullptr;
+    return std::make_unique<SourceFur>(SourceFur{onNewParts(before.fur->length, before, cuts),
+                                                 onNewParts(before.fur->density, before, cuts),
+                                                 onNewParts(before.fur->direction, before, cuts),
+                                                 onNewParts(before.fur->tint, before, cuts)});
+}
+
 }  // namespace
 
 Document subdivided(const Document& document, int levels, Progress* progress) {
@@ -53,7 +75,9 @@ Document subdivided(const Document& document, int levels, Progress* progress) {
     checkSize(triangles);
     const std::vector<PartCuts> cuts = cutParts(*before.source, levels, progress);
     const std::vector<std::byte> glb = subdividedGlb(*before.source, cuts, progress);
-    auto after = makeSkin(readGltf(glb, before.source->path, progress), progress);
+    Source source = readGltf(glb, before.source->path, progress);
+    source.fur = furOnNewParts(*before.source, cuts);
+    auto after = makeSkin(std::move(source), progress);
     assert(after->source->parts.size() == cuts.size());
     Groom groom{onNewSkin(document.groom.fur, before, *after, cuts, halfway),
                 onNewSkin(document.groom.mask, before, *after, cuts,

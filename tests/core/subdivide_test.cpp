@@ -367,6 +367,30 @@ TEST(Subdivide, FieldsOfTheFileStayWhatResetBringsBack) {
                                                           fromFile.skin->source->fur->length[1]));
 }
 
+TEST(Subdivide, FilesOfOursDoNotGrowByIt) {
+    // Two primitives that share their arrays, and with them the fields of an export.
+    GltfMaker maker = GltfMaker::triangle();
+    maker.json["meshes"][0]["primitives"].push_back(maker.primitive());
+    const Document document = test::painted(maker.glb());
+    const Document plain = test::opened(groomedGlb(document));
+    const Document mirrored = test::opened(groomedGlb(document, {.compatibilityUvs = true}));
+    const std::vector<std::byte> glb = groomedGlb(subdivided(mirrored, 1));
+    EXPECT_EQ(groomedGlb(subdivided(plain, 1)).size(), glb.size());
+    const test::Glb apart = test::takeApart(glb);
+    EXPECT_FALSE(apart.json["meshes"][0]["primitives"][0]["attributes"].contains("TEXCOORD_2"));
+}
+
+TEST(Subdivide, AStrokeInProgressEndsWithItsSkin) {
+    Workspace workspace;
+    workspace.open(test::evenDocument(test::ball(2)));
+    runLine(workspace, "subdivide");
+    workspace.press(Brush{}, vec3(0, 1, 0), vec3(0, 1, 0));
+    workspace.undo();
+    workspace.drag(vec3(0.1f, 1, 0), vec3(0, 1, 0));
+    EXPECT_EQ(workspace.release(), "");
+    EXPECT_EQ(workspace.editor->undoLabel(), "");
+}
+
 TEST(Subdivide, RefusesWhatBecomesTooLargeWithNumbers) {
     const Document document = openDocument(test::ball(4));
     EXPECT_EQ(refusal([&] { subdivided(document, 8); }),
