@@ -28,6 +28,7 @@ void drawItem(App& app, const Action& action) {
 // How fine the mesh is for what grows on it.
 void drawMeshSize(const App& app) {
     const Skin& skin = app.skin();
+    ImGui::Separator();
     ImGui::TextDisabled("%s vertices, %s apart", grouped(skin.source->positions.size()).c_str(),
                         lengthText(skin.spacing).c_str());
     if (const float hair = medianHair(app.document()); hair > 0.0f && hair < skin.spacing)
@@ -72,12 +73,12 @@ float drawMenu(App& app) {
     const float height = ImGui::GetWindowSize().y;
     for (const char* menu : {"File", "Edit", "Brush", "Mesh", "View", "Help"}) {
         if (!ImGui::BeginMenu(menu)) continue;
-        if (menu == std::string_view("Mesh") && app.isOpen()) drawMeshSize(app);
         for (const Action& action : actions()) {
             if (menu != std::string_view(action.menu)) continue;
             drawItem(app, action);
             if (action.name == std::string_view("file.open")) drawRecent(app);
         }
+        if (menu == std::string_view("Mesh") && app.isOpen()) drawMeshSize(app);
         ImGui::EndMenu();
     }
     const std::string title = app.name + (app.saved() ? "" : "*");

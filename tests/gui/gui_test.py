@@ -354,12 +354,13 @@ class EditorInAWindow(unittest.TestCase):
         editor = self.start(coarse)
         editor.ready()
         # Mesh, Subdivide...
-        for x, y in ((156, 12), (176, 65)):
+        for x, y in ((156, 12), (176, 41)):
             editor.do("mousemove", x, y, "sleep", "0.5", "click", 1, "sleep", "1")
         editor.expect("asked subdivide")
         time.sleep(1)
         editor.key("Return")
         editor.expect("commit Subdivide")
+        time.sleep(2)  # until the window is drawn again
         editor.drag()
         editor.expect("commit Comb")
         for key, step in (("ctrl+z", "undo Comb"), ("ctrl+z", "undo Subdivide"),

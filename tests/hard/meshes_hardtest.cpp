@@ -59,10 +59,11 @@ TEST(HardMeshes, EachOfThemCanBeSubdividedAndTakesItsGroomBack) {
         EXPECT_EQ((MeshSize{source.positions.size(), source.triangles.size()}),
                   sizesAfterCuts(*before.skin->source, 2).back());
         const vec3 slack(1e-5f * before.skin->size());
-        for (const SkinVertex& vertex : after.skin->vertices) {
-            ASSERT_EQ(
-                glm::clamp(vertex.position, before.skin->lower - slack, before.skin->upper + slack),
-                vertex.position);
+        for (const uvec3 t : after.skin->triangles) {
+            for (int k = 0; k < 3; ++k) {
+                const vec3 p = after.skin->vertices[t[k]].position;
+                ASSERT_EQ(glm::clamp(p, before.skin->lower - slack, before.skin->upper + slack), p);
+            }
         }
         const Document back = transferred(before, after).document;
         for (std::size_t v = 0; v < back.groom.fur.size(); ++v) {
