@@ -32,7 +32,8 @@ std::span<const Action> actions() {
     static const std::vector<Action> all = [] {
         std::vector<Action> rows;
         for (const auto part :
-             {fileActions(), editActions(), brushActions(), maskActions(), viewActions()})
+             {fileActions(), editActions(), brushActions(), maskActions(), meshActions(),
+              viewActions()})
             rows.insert(rows.end(), part.begin(), part.end());
         return rows;
     }();

@@ -34,6 +34,7 @@ std::span<const Action> fileActions();
 std::span<const Action> editActions();
 std::span<const Action> brushActions();
 std::span<const Action> maskActions();
+std::span<const Action> meshActions();
 std::span<const Action> viewActions();
 
 const Action& actionNamed(std::string_view name);  // asserted to be there

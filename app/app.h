@@ -17,6 +17,7 @@
 #include "app/viewport.h"
 #include "app/widgets.h"
 #include "app/work.h"
+#include "core/edge_cuts.h"
 #include "core/gltf_out.h"
 #include "core/gradient.h"
 #include "core/journal.h"
@@ -26,7 +27,7 @@
 
 namespace pelage {
 
-enum class Dialog { none, unsaved, lostWork, open, saveAs, exportAs };
+enum class Dialog { none, unsaved, lostWork, open, saveAs, exportAs, transfer, subdivide };
 
 struct Dialogs {
     Dialog current = Dialog::none;
@@ -34,6 +35,8 @@ struct Dialogs {
     std::function<void()> then;  // goes on once unsaved work is saved or given up
     ExportOptions exportOptions;
     bool exportCheck = true;     // open the written file again and compare
+    std::vector<MeshSize> sizes;  // of the mesh now and subdivided once, twice, ...
+    int levels = 1;               // of which this one is chosen
     std::vector<LostWork> lost;  // offered one after the other
     std::string problem;         // shown in a box until it is read; empty = none
     bool help = false, report = false;
@@ -114,6 +117,9 @@ void combBody(App& app, float weight);                            // from head t
 void fillGradient(App& app, const Gradient& gradient);
 void editMask(App& app, const MaskEdit& change);
 void changeBody(App& app, const std::string& line);  // as segment_text.h says
+// A step that was made elsewhere: its document, the query of its skin, and the line that makes it.
+void takeStep(App& app, Document after, std::unique_ptr<SkinQuery> query, const char* label,
+              const std::string& line);
 void beginStroke(App& app, const Brush& brush, const SkinHit& hit, float pressure);
 void endStroke(App& app);
 void cancelStroke(App& app);
@@ -133,6 +139,11 @@ void playOn(App& app, float seconds);
 // Before the pointer is used: a press pauses what plays, and finds the skin where it is seen.
 void meetPointer(App& app, bool mine);
 
+// Edits of the whole mesh, which take long (mesh_edits.cpp).
+void askSubdivide(App& app);
+void subdivideMesh(App& app, int levels);
+void transferFrom(App& app, const std::string& path);
+
 // Files (files.cpp). All of them ask first when work would be lost, and then go on by themselves.
 void leave(App& app, std::function<void()> then);
 void openFile(App& app, const std::string& path);
@@ -144,5 +155,8 @@ void restoreWork(App& app, const LostWork& lost);
 void discardWork(App& app, const LostWork& lost);
 void askForFile(App& app, Dialog purpose);
 void requestQuit(App& app);
+// A job beside the main thread; its errors are shown, `cancelled` when it was given up.
+void startWork(App& app, const std::string& label, std::function<Finish(Progress&)> job,
+               const std::string& cancelled);
 
 }  // namespace pelage

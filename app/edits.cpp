@@ -70,6 +70,12 @@ void stepped(App& app, bool wasFull, std::string_view line) {
     trace(app, "commit " + std::string(app.editor().undoLabel()));
 }
 
+// What the window keeps of a skin, once another one is on screen.
+void meetOtherSkin(App& app, const std::shared_ptr<const Skin>& before) {
+    if (app.document().skin == before) return;
+    app.viewport.hit.reset();
+}
+
 // A step that a script line makes: run through the same code that replays it.
 void runStep(App& app, const std::string& line) {
     commitPending(app);
@@ -201,7 +207,9 @@ void commitPending(App& app) {
 void undo(App& app) {
     commitPending(app);
     const std::string label(app.editor().undoLabel());
-    if (!app.editor().undo()) return;
+    const auto skin = app.document().skin;
+    if (!app.workspace.undo()) return;
+    meetOtherSkin(app, skin);
     note(app, "undo");
     keepJournalReachable(app);
     tell(app, "Undone: " + label);
@@ -210,7 +218,9 @@ void undo(App& app) {
 
 void redo(App& app) {
     commitPending(app);
-    if (!app.editor().redo()) return;
+    const auto skin = app.document().skin;
+    if (!app.workspace.redo()) return;
+    meetOtherSkin(app, skin);
     note(app, "redo");
     keepJournalReachable(app);
     const std::string label(app.editor().undoLabel());
@@ -246,6 +256,18 @@ void fillGradient(App& app, const Gradient& gradient) { runStep(app, gradientLin
 void editMask(App& app, const MaskEdit& change) { runStep(app, maskLine(change)); }
 
 void changeBody(App& app, const std::string& line) { runStep(app, line); }
+
+void takeStep(App& app, Document after, std::unique_ptr<SkinQuery> query, const char* label,
+              const std::string& line) {
+    commitPending(app);
+    const bool full = historyFull(app);
+    const auto skin = app.document().skin;
+    app.editor().edit([&](Document& document) { document = std::move(after); });
+    if (query) app.workspace.query = std::move(query);
+    if (app.editor().commit(label)) stepped(app, full, line);
+    app.workspace.follow();
+    meetOtherSkin(app, skin);
+}
 
 void beginStroke(App& app, const Brush& brush, const SkinHit& hit, float pressure) {
     commitPending(app);

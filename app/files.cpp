@@ -7,25 +7,12 @@
 #include "app/export_check.h"
 #include "core/animal.h"
 #include "core/files.h"
+#include "core/spacing.h"
 
 namespace pelage {
 namespace {
 
 namespace fs = std::filesystem;
-
-void startWork(App& app, const std::string& label, std::function<Finish(Progress&)> job,
-               const std::string& cancelled) {
-    if (app.work.running()) return;
-    app.work.start(
-        label, std::move(job),
-        [&app, cancelled](const std::string& problem) {
-            if (app.work.cancelling())
-                tell(app, cancelled);
-            else
-                complain(app, problem);
-        },
-        app.wake);
-}
 
 void rememberFile(App& app, const std::string& path) {
     remember(app.settings, path);
@@ -48,7 +35,7 @@ void adopt(App& app, Workspace opened, const std::string& path) {
     app.name = path.empty() ? "animal" : fs::path(path).filename().string();
     meetSkin(app.session, app.skin(), app.viewport.size.x / std::max(app.viewport.size.y, 1.0f));
     const LoadReport& report = app.skin().report;
-    const std::size_t notes = report.warnings.size();
+    const std::size_t notes = report.warnings.size() + spacingNotes(app.document()).size();
     tell(app, app.name + ": " + grouped(report.triangles) + " triangles" +
                   (notes == 0 ? "" : ", " + std::to_string(notes) + " notes: Help > Load report"));
     for (const std::string& warning : report.warnings)
@@ -100,6 +87,20 @@ void leaveJournalFile(App& app, const std::string& path, std::function<void()> t
 
 }  // namespace
 
+void startWork(App& app, const std::string& label, std::function<Finish(Progress&)> job,
+               const std::string& cancelled) {
+    if (app.work.running()) return;
+    app.work.start(
+        label, std::move(job),
+        [&app, cancelled](const std::string& problem) {
+            if (app.work.cancelling())
+                tell(app, cancelled);
+            else
+                complain(app, problem);
+        },
+        app.wake);
+}
+
 void leave(App& app, std::function<void()> then) {
     if (app.work.running()) return;
     cancelStroke(app);
@@ -147,10 +148,12 @@ void openAnimal(App& app) {
 void askForFile(App& app, Dialog purpose) {
     FileDialog& dialog = app.dialogs.files;
     dialog = {};
-    dialog.saving = purpose != Dialog::open;
-    if (purpose == Dialog::open) {
-        dialog.title = "Open a mesh or a groomed .glb";
-        dialog.accept = "Open";
+    dialog.saving = purpose == Dialog::saveAs || purpose == Dialog::exportAs;
+    if (!dialog.saving) {
+        const bool open = purpose == Dialog::open;
+        dialog.title =
+            open ? "Open a mesh or a groomed .glb" : "Transfer the groom of another file";
+        dialog.accept = open ? "Open" : "Transfer";
         dialog.extensions = {".glb", ".gltf", ".obj", ".ply", ".off", ".stl"};
     } else {
         dialog.title = purpose == Dialog::saveAs ? "Save the groomed .glb" : "Export for others";

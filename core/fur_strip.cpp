@@ -5,6 +5,7 @@
 
 #include "fur_fields.h"
 #include "fur_names.h"
+#include "glb_uses.h"
 
 namespace pelage {
 namespace {
@@ -42,51 +43,6 @@ void stripPrimitive(const OrderedJson& gltf, OrderedJson& attributes) {
     for (const std::string& attribute : ours) attributes.erase(attribute);
 }
 
-void collect(const OrderedJson& object, const char* key, std::set<std::size_t>& numbers) {
-    const auto found = object.find(key);
-    if (found == object.end()) return;
-    if (found->is_number()) numbers.insert(found->get<std::size_t>());
-    if (found->is_object())
-        for (const OrderedJson& below : *found) numbers.insert(below.get<std::size_t>());
-}
-
-const OrderedJson& listOf(const OrderedJson& object, const char* key) {
-    static const OrderedJson none = OrderedJson::array();
-    const auto found = object.find(key);
-    return found == object.end() ? none : *found;
-}
-
-std::set<std::size_t> usedAccessors(const OrderedJson& gltf) {
-    std::set<std::size_t> used;
-    for (const OrderedJson& mesh : listOf(gltf, "meshes"))
-        for (const OrderedJson& primitive : listOf(mesh, "primitives")) {
-            collect(primitive, "attributes", used);
-            collect(primitive, "indices", used);
-            for (const OrderedJson& target : listOf(primitive, "targets"))
-                for (const OrderedJson& accessor : target) used.insert(accessor.get<std::size_t>());
-        }
-    for (const OrderedJson& animation : listOf(gltf, "animations"))
-        for (const OrderedJson& sampler : listOf(animation, "samplers")) {
-            collect(sampler, "input", used);
-            collect(sampler, "output", used);
-        }
-    for (const OrderedJson& skin : listOf(gltf, "skins"))
-        collect(skin, "inverseBindMatrices", used);
-    return used;
-}
-
-std::set<std::size_t> usedViews(const OrderedJson& gltf) {
-    std::set<std::size_t> used;
-    for (const OrderedJson& accessor : listOf(gltf, "accessors")) {
-        collect(accessor, "bufferView", used);
-        const OrderedJson& sparse = listOf(accessor, "sparse");
-        for (const char* part : {"indices", "values"})
-            if (sparse.is_object()) collect(listOf(sparse, part), "bufferView", used);
-    }
-    for (const OrderedJson& image : listOf(gltf, "images")) collect(image, "bufferView", used);
-    return used;
-}
-
 // Drops the last view if it is ours and nothing uses it, with the bytes that it covers.
 bool dropLastView(GlbDraft& draft) {
     if (!draft.json.contains("bufferViews") || draft.json["bufferViews"].empty()) return false;
@@ -99,7 +55,7 @@ bool dropLastView(GlbDraft& draft) {
     for (std::size_t v = 0; v < last; ++v)
         endOfOthers = std::max(endOfOthers, views[v].value("byteOffset", std::size_t{0}) +
                                                 views[v].at("byteLength").get<std::size_t>());
-    if (usedViews(draft.json).contains(last) || endOfOthers > offset ||
+    if (viewUses(draft.json).contains(last) || endOfOthers > offset ||
         offset + length != draft.bin.size())
         return false;
     draft.bin.resize(offset);
@@ -125,7 +81,7 @@ void stripFields(GlbDraft& draft, const std::vector<SourcePart>& parts) {
                                        .at("attributes"));
     if (!draft.json.contains("accessors")) return;
     // Only from the end: any other removal would renumber what extensions we do not know may name.
-    const std::set<std::size_t> used = usedAccessors(draft.json);
+    const std::multiset<std::size_t> used = accessorUses(draft.json);
     OrderedJson& accessors = draft.json["accessors"];
     while (!accessors.empty() && isOurName(nameOf(accessors.back())) &&
            !used.contains(accessors.size() - 1)) {

@@ -85,6 +85,16 @@ std::size_t appendIndices(GlbDraft& draft, std::span<const uint> indices, const 
                    {"name", name}});
 }
 
+std::size_t appendJoints(GlbDraft& draft, std::span<const std::uint16_t> joints) {
+    assert(!joints.empty() && joints.size() % 4 == 0);
+    const std::size_t view = appendView(draft, std::as_bytes(joints), kGlArrayBuffer, "joints");
+    return append(draft, "accessors",
+                  {{"bufferView", view},
+                   {"componentType", kGlUnsignedShort},
+                   {"count", joints.size() / 4},
+                   {"type", "VEC4"}});
+}
+
 std::vector<std::byte> packGlb(GlbDraft draft) {
     if (!draft.bin.empty()) {
         OrderedJson& buffers = draft.json["buffers"];

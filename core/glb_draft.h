@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -35,6 +36,10 @@ std::size_t appendFloats(GlbDraft& draft, std::span<const float> values, int com
 
 // Appends vertex numbers in 16 bits, or in 32 where the largest does not fit.
 std::size_t appendIndices(GlbDraft& draft, std::span<const uint> indices, const std::string& name);
+
+// Appends four joint numbers per vertex, with a view of their own; returns the number of the
+// accessor.
+std::size_t appendJoints(GlbDraft& draft, std::span<const std::uint16_t> joints);
 
 // The .glb: header, JSON chunk, binary chunk (none when it is empty). In names that are not UTF-8
 // (those of files and OBJ materials need not be) the wrong bytes become U+FFFD. Throws

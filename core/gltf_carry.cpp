@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 
+#include "fur_fields.h"
+
 namespace pelage {
 namespace {
 
@@ -82,6 +84,14 @@ void embedPictures(GlbDraft& draft, const CarriedGltf& carried) {
         image["bufferView"] = view;
         image["mimeType"] = type;
     }
+}
+
+GlbDraft bareDraft(const Source& source) {
+    if (!source.carried) return builtDraft(source);
+    GlbDraft draft = carriedDraft(*source.carried);
+    stripFields(draft, source.parts);
+    embedPictures(draft, *source.carried);
+    return draft;
 }
 
 }  // namespace pelage

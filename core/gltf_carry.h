@@ -20,6 +20,9 @@ void embedPictures(GlbDraft& draft, const CarriedGltf& carried);
 // as glTF asks; all else is bit for bit.
 GlbDraft builtDraft(const Source& source);
 
+// Either, whichever the source is, with its pictures and without any fur fields.
+GlbDraft bareDraft(const Source& source);
+
 // "image/png", "image/jpeg", "image/webp" or "image/ktx2" by the first bytes, else "".
 std::string pictureType(std::span<const std::byte> bytes);
 

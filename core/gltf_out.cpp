@@ -69,15 +69,6 @@ OrderedJson segmentList(std::span<const Segment> body) {
     return list;
 }
 
-// The source as a draft without fur.
-GlbDraft bareDraft(const Source& source) {
-    if (!source.carried) return builtDraft(source);
-    GlbDraft draft = carriedDraft(*source.carried);
-    stripFields(draft, source.parts);
-    embedPictures(draft, *source.carried);
-    return draft;
-}
-
 }  // namespace
 
 std::vector<std::byte> groomedGlb(const Document& document, const ExportOptions& options,

@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "quiet_openmesh.h"
+
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
 #pragma GCC diagnostic ignored "-Wshadow"
@@ -28,15 +30,6 @@ using Mesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 Mesh::VertexHandle handle(uint v) { return Mesh::VertexHandle(static_cast<int>(v)); }
 
 bool repeatsCorner(uvec3 t) { return t.x == t.y || t.y == t.z || t.z == t.x; }
-
-// OpenMesh reports each face that it refuses on std::cerr; we count them instead.
-class Quiet {
-public:
-    Quiet() { omerr().disable(); }
-    ~Quiet() { omerr().enable(); }
-    Quiet(const Quiet&) = delete;
-    Quiet& operator=(const Quiet&) = delete;
-};
 
 using Edge = std::pair<uint, uint>;  // smaller vertex first
 

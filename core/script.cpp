@@ -16,7 +16,9 @@
 #include "rig.h"
 #include "script_text.h"
 #include "segment_text.h"
+#include "subdivide.h"
 #include "text.h"
+#include "transfer.h"
 
 namespace pelage {
 namespace {
@@ -202,6 +204,31 @@ void runPose(Workspace& workspace, Words& words) {
     workspace.stand(poseFromWords(*editorOf(workspace).document().skin, words));
 }
 
+void runSubdivide(Workspace& workspace, Words& words) {
+    Editor& editor = editorOf(workspace);
+    int levels = 1;
+    if (const std::string_view word = words.next(); !word.empty()) {
+        levels = 0;
+        for (int n = 1; n <= kMostLevels; ++n)
+            if (word == std::to_string(n)) levels = n;
+        if (levels == 0)
+            throw std::runtime_error(inQuotes(word) + " is no whole number from 1 to " +
+                                     std::to_string(kMostLevels));
+    }
+    expectEnd(words);
+    Document after = subdivided(editor.document(), levels);
+    editor.edit([&](Document& document) { document = std::move(after); });
+    editor.commit(kSubdivideLabel);
+}
+
+void runTransfer(Workspace& workspace, Words& words) {
+    Editor& editor = editorOf(workspace);
+    Document after =
+        transferred(openDocument(readSource(pathOf(words))), editor.document()).document;
+    editor.edit([&](Document& document) { document = std::move(after); });
+    editor.commit(kTransferLabel);
+}
+
 void runUndo(Workspace& workspace, Words& words) {
     expectEnd(words);
     editorOf(workspace).undo();
@@ -222,7 +249,7 @@ struct Command {
     const char* name;
     void (*run)(Workspace&, Words&);
 };
-constexpr std::array<Command, 17> kCommands{{{"open", runOpen},
+constexpr std::array<Command, 19> kCommands{{{"open", runOpen},
                                              {"animal", runAnimal},
                                              {"preset", runPreset},
                                              {"set", runSet},
@@ -236,6 +263,8 @@ constexpr std::array<Command, 17> kCommands{{{"open", runOpen},
                                              {"gradient", runGradientLine},
                                              {"mask", runMaskLine},
                                              {"pose", runPose},
+                                             {"subdivide", runSubdivide},
+                                             {"transfer", runTransfer},
                                              {"undo", runUndo},
                                              {"redo", runRedo},
                                              {"save", runSave}}};
@@ -297,7 +326,21 @@ void Workspace::follow() {
         if (!canStand(*rest, pose)) pose = {};
         posed = pose.atRest() ? nullptr : posedSkin(rest, pose);
     }
-    if (&query->skin() != shown().get()) query = std::make_unique<SkinQuery>(shown());
+    if (&query->skin() == shown().get()) return;
+    stroke.reset();  // it asks the old one
+    query = std::make_unique<SkinQuery>(shown());
+}
+
+bool Workspace::undo() {
+    const bool undone = editor->undo();
+    follow();
+    return undone;
+}
+
+bool Workspace::redo() {
+    const bool redone = editor->redo();
+    follow();
+    return redone;
 }
 
 void Workspace::press(const Brush& brush, vec3 position, vec3 normal, float pressure) {
@@ -341,6 +384,7 @@ void runLine(Workspace& workspace, std::string_view line) {
     }
     try {
         command->run(workspace, words);
+        if (workspace.editor) workspace.follow();
     } catch (const std::runtime_error& error) {
         throw std::runtime_error(std::string(name) + ": " + error.what());
     }
@@ -364,6 +408,12 @@ std::string setLine(const Fur& before, const Fur& after) {
     addChanges(changes, "fur", furParameters(), before, after);
     return changes.empty() ? changes : "set" + changes;
 }
+
+std::string subdivideLine(int levels) {
+    return levels == 1 ? "subdivide" : "subdivide " + std::to_string(levels);
+}
+
+std::string transferLine(const std::string& path) { return "transfer " + path; }
 
 std::string floodLine(const Brush& brush, vec3 direction) {
     std::string line = "flood " + toolText(brush);

@@ -20,6 +20,8 @@
 //   comb head-to-tail [weight W]           combs the whole body along its segments
 //   pose CLIP SECONDS [morph W W ...]      stands as at that moment of a clip, by name or number
 //   pose rest [morph W W ...]              the weights are those of the morph targets, in order
+//   subdivide [LEVELS]                     four triangles for each, once unless said (subdivide.h)
+//   transfer PATH                          the groom of another file on this mesh (transfer.h)
 //   undo
 //   redo
 //   save PATH                              refuses a name that does not end in .glb
@@ -65,8 +67,13 @@ struct Workspace {
     // Takes a stroke in progress back, and makes the skin stand so. Quick enough for every frame
     // of an animation, because the query is left behind until follow().
     void stand(Pose to);
-    // Makes posed and query those of the skin on screen; edits and presses do so by themselves.
+    // Makes `posed` and `query` those of the skin on screen, which undo, redo, edits of the mesh and
+    // poses change; a stroke ends with its skin. Lines and presses do so by themselves, whoever
+    // changes the document past this interface calls it.
     void follow();
+    // Of the editor; `query` follows.
+    bool undo();
+    bool redo();
 
     // A stroke by hand. Drag and release do nothing without a press.
     void press(const Brush& brush, vec3 position, vec3 normal, float pressure = 1.0f);
@@ -77,6 +84,10 @@ struct Workspace {
     // Takes the stroke back.
     void cancelStroke();
 };
+
+// Labels of the steps that the editor's own window makes of the same edits.
+inline constexpr const char* kSubdivideLabel = "Subdivide";
+inline constexpr const char* kTransferLabel = "Transfer groom";
 
 // Runs one line; each line that edits ends in one commit. Drops edits that were not committed, and
 // a stroke in progress. Throws std::runtime_error with what is wrong in the line; the document is
@@ -93,6 +104,9 @@ std::string replayJournal(Workspace& workspace, const std::string& path);
 // The line that makes `after` of `before`, bit for bit: "set over.stiffness 0.3 fur.hairs 90000".
 // Empty when they are equal.
 std::string setLine(const Fur& before, const Fur& after);
+
+std::string subdivideLine(int levels);
+std::string transferLine(const std::string& path);
 
 // The line of a flood. The direction counts for comb only.
 std::string floodLine(const Brush& brush, vec3 direction = vec3(0.0f));

@@ -14,6 +14,7 @@
 #include "half_edges.h"
 #include "morton.h"
 #include "outward.h"
+#include "spacing.h"
 #include "strand.h"
 
 namespace pelage {
@@ -245,6 +246,7 @@ std::shared_ptr<const Skin> makeSkin(Source source, Progress* progress) {
     Topology topology = makeTopology(skin->vertices.size(), skin->triangles);
     skin->ringFirst = std::move(topology.ringFirst);
     skin->rings = std::move(topology.rings);
+    skin->spacing = medianSpacing(*skin);
     skin->report.weldedVertices = skin->vertices.size();
     skin->report.nonManifoldEdges = topology.nonManifoldEdges;
     skin->report.flippedEdges = topology.flippedEdges;

@@ -43,6 +43,7 @@ struct Skin {
     double area = 0.0;               // m^2, of all triangles; at rest
     vec3 lower{0.0f}, upper{0.0f};   // bounds of the vertices that triangles use, m
     float radius = 0.0f;             // m, of the ball around center() that holds those vertices
+    float spacing = 0.0f;            // m, median length of the edges; at rest
     bool outward = false;            // closed, and no back face is ever seen from outside
     std::vector<uint> weld;          // source vertex -> skin vertex
     std::vector<uint> sourceOf;      // skin vertex -> the first source vertex that was welded to it

@@ -49,6 +49,7 @@ void addExport(CLI::App& app, bool& json) {
     CLI::App* verb = app.add_subcommand("export", "Write a groomed .glb");
     const auto options = std::make_shared<Options>();
     addInputOptions(*verb, options->input);
+    addMeshOptions(*verb, options->input);
     addOutput(*verb, *options);
     addJsonFlag(*verb, json);
     verb->callback([options, &json] { write(openInput(options->input), *options, json); });

@@ -7,6 +7,7 @@
 #include "core/carried_counts.h"
 #include "core/document.h"
 #include "core/rig.h"
+#include "core/spacing.h"
 
 namespace pelage {
 namespace {
@@ -32,6 +33,8 @@ OrderedJson infoOf(const std::string& file, const Document& document) {
     if (const auto& rig = skin.source->rig)
         for (const Clip& clip : rig->clips)
             clips.push_back({{"name", clip.name}, {"seconds", clip.seconds}});
+    std::vector<std::string> warnings = report.warnings;
+    for (std::string& note : spacingNotes(document)) warnings.push_back(std::move(note));
     OrderedJson segments = OrderedJson::array();
     for (const Segment& segment : document.groom.body()) segments.push_back(segment.name);
     return {{"file", file},
@@ -54,7 +57,8 @@ OrderedJson infoOf(const std::string& file, const Document& document) {
             {"fields", fieldsOf(document)},
             {"bounds", {{"min", jsonOf(skin.lower)}, {"max", jsonOf(skin.upper)}}},
             {"area", skin.area},
-            {"warnings", report.warnings}};
+            {"spacing", skin.spacing},
+            {"warnings", warnings}};
 }
 
 std::string number(const OrderedJson& value) {
@@ -86,6 +90,7 @@ std::string textOf(const OrderedJson& info) {
     for (const auto& clip : info["clips"])
         line("clip", clip["name"].get<std::string>() + ", " + number(clip["seconds"]) + " s");
     line("bounds", vectorText(info["bounds"]["min"]) + " to " + vectorText(info["bounds"]["max"]));
+    line("spacing", number(info["spacing"]));
     line("fur", info["hasFur"].get<bool>() ? "yes" : "no");
     for (const auto& [field, range] : info["fields"].items()) {
         line("fur " + field, number(range["min"]) + " to " + number(range["max"]));

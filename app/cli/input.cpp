@@ -1,6 +1,7 @@
 // input.cpp -- from options to a document.
 #include "app/cli/input.h"
 
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 
@@ -9,6 +10,8 @@
 #include "core/files.h"
 #include "core/script.h"
 #include "core/source.h"
+#include "core/subdivide.h"
+#include "core/transfer.h"
 
 namespace pelage {
 namespace {
@@ -40,6 +43,13 @@ Document afterScript(Document document, const std::string& path) {
     return workspace.editor->document();
 }
 
+Document afterTransfer(const Document& onto, const std::string& path) {
+    Transferred transfer = transferred(openDocument(readSource(path)), onto);
+    if (const std::string note = farNote(transfer); !note.empty())
+        std::fprintf(stderr, "pelage: %s: %s\n", path.c_str(), note.c_str());
+    return std::move(transfer.document);
+}
+
 }  // namespace
 
 void addInputOptions(CLI::App& verb, InputOptions& options) {
@@ -61,6 +71,14 @@ void addInputOptions(CLI::App& verb, InputOptions& options) {
         ->check(CLI::Range(uint{0}, uint{5000000}));
 }
 
+void addMeshOptions(CLI::App& verb, InputOptions& options) {
+    verb.add_option("--subdivide", options.subdivide, "Cut each triangle in four, N times")
+        ->type_name("N")
+        ->check(CLI::Range(1, kMostLevels));
+    verb.add_option("--transfer", options.transfer, "Take the groom of another file over")
+        ->type_name("OLD");
+}
+
 Document openInput(const InputOptions& options) {
     if (options.file.empty() == !options.animal) {
         throw UsageError("expected a FILE or --animal N, one of the two");
@@ -72,6 +90,8 @@ Document openInput(const InputOptions& options) {
 
     Document document =
         options.animal ? groomedAnimal(*options.animal) : openDocument(readSource(options.file));
+    if (options.subdivide > 0) document = subdivided(document, options.subdivide);
+    if (!options.transfer.empty()) document = afterTransfer(document, options.transfer);
     if (!options.preset.empty()) applyNamedPreset(document.fur, options.preset);
     if (!options.script.empty()) document = afterScript(std::move(document), options.script);
     for (const std::string& set : options.sets) applySet(document.fur, set);

@@ -16,13 +16,19 @@ struct InputOptions {
     std::string preset, script;         // empty = none
     std::vector<std::string> sets;      // "over.stiffness=0.3"
     std::optional<uint> hairs;
+    int subdivide = 0;     // times, before all of these
+    std::string transfer;  // a file whose groom is taken over, after that; empty = none
 };
 
 // FILE, --animal, --preset, --script, --set and --hairs.
 void addInputOptions(CLI::App& verb, InputOptions& options);
 
-// Opens the file or makes the animal, then applies preset, script, sets and hairs in that order.
-// Throws UsageError for a wrong preset or --set, std::runtime_error for bad input.
+// --subdivide and --transfer.
+void addMeshOptions(CLI::App& verb, InputOptions& options);
+
+// Opens the file or makes the animal, then subdivides, transfers, and applies preset, script, sets
+// and hairs in that order. Throws UsageError for a wrong preset or --set, std::runtime_error for
+// bad input.
 Document openInput(const InputOptions& options);
 
 // Accepts the names that expectExtension (core/files.h) does, before any work.

@@ -3,10 +3,12 @@
 #include <cstdio>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/actions.h"
 #include "app/panels/panels.h"
 #include "app/tool_icons.h"
+#include "core/spacing.h"
 
 namespace pelage {
 namespace {
@@ -156,6 +158,26 @@ void drawMirror(App& app) {
     }
 }
 
+// Empty unless the brush is smaller than the mesh is fine, where the pointer is or at large.
+std::string coarseNote(const App& app) {
+    if (!app.isOpen()) return {};
+    const Skin& skin = app.skin();
+    const float radius = app.session.brush().radius;
+    const std::optional<SkinHit>& hit = app.viewport.hit;
+    if (!hit) {
+        if (radius >= skin.spacing) return {};
+        return "The vertices of the mesh are " + lengthText(skin.spacing) + " apart.";
+    }
+    const uvec3 corners = skin.triangles[hit->triangle];
+    if (radius >= std::max({spacingAt(skin, corners.x), spacingAt(skin, corners.y),
+                            spacingAt(skin, corners.z)}))
+        return {};
+    std::vector<uint> under;
+    app.workspace.query->within(hit->position, radius, under);
+    return "The mesh has " + (under.empty() ? "no" : std::to_string(under.size())) +
+           (under.size() == 1 ? " vertex" : " vertices") + " under this brush.";
+}
+
 }  // namespace
 
 void drawBrushPanel(App& app, const Layout& layout) {
@@ -205,6 +227,8 @@ void drawBrushPanel(App& app, const Layout& layout) {
     ImGui::PushStyleColor(ImGuiCol_Text, color::kDim);
     ImGui::TextWrapped(
         "Ctrl: the other way. Shift: smooth.\nShift+click: a line from the last stroke.");
+    if (const std::string note = coarseNote(app); !note.empty())
+        ImGui::TextWrapped("%s", note.c_str());
     ImGui::PopStyleColor();
     ImGui::PopFont();
     ImGui::End();

@@ -1,10 +1,13 @@
 // dialogs.cpp -- the questions: unsaved work, lost work, files, problems, and the running job.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "app/panels/panels.h"
+#include "core/subdivide.h"
 
 namespace pelage {
 namespace {
@@ -123,8 +126,52 @@ void drawFiles(App& app) {
             if (purpose == Dialog::open) openFile(app, path);
             if (purpose == Dialog::saveAs) saveTo(app, path, then);
             if (purpose == Dialog::exportAs) exportTo(app, path);
+            if (purpose == Dialog::transfer) transferFrom(app, path);
         }
     }
+    ImGui::EndPopup();
+}
+
+void sizeColumn(const App& app, const char* title, MeshSize size, float spacing) {
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", title);
+    ImGui::Text("%s vertices", grouped(size.vertices).c_str());
+    ImGui::Text("%s triangles", grouped(size.triangles).c_str());
+    ImGui::Text("%s apart", lengthText(spacing).c_str());
+    ImGui::Dummy({0, app.theme.px(4)});
+}
+
+void drawSubdivide(App& app) {
+    if (!beginModal(app, "subdivide", 460)) return;
+    heading(app, "Subdivide the mesh");
+    ImGui::TextWrapped(
+        "Each triangle becomes four, rounded by Loop's rule. The fur and everything of the file "
+        "go along.");
+    ImGui::Dummy({0, app.theme.px(6)});
+    const Ui ui = uiOf(app);
+    constexpr const char* kTimes[] = {"Once", "Twice", "3 times"};
+    const std::size_t count = app.dialogs.sizes.size() - 1;
+    if (const auto other =
+            choiceRow(ui, "levels", std::span(kTimes, count), app.dialogs.levels - 1))
+        app.dialogs.levels = *other + 1;
+    const MeshSize after = app.dialogs.sizes[static_cast<std::size_t>(app.dialogs.levels)];
+    const float spacing = app.skin().spacing;
+    if (ImGui::BeginTable("sizes", 2)) {
+        sizeColumn(app, "Now", app.dialogs.sizes[0], spacing);
+        sizeColumn(app, "Then", after, std::ldexp(spacing, -app.dialogs.levels));
+        ImGui::EndTable();
+    }
+    const bool fits = after.triangles <= kMostTriangles;
+    if (!fits)
+        ImGui::TextDisabled("At most %s triangles are made.", grouped(kMostTriangles).c_str());
+    const float width = buttonsRight(app, 2);
+    const bool cancel = plainButton(ui, "Cancel", width) || app.dialogs.escape;
+    ImGui::SameLine();
+    ImGui::BeginDisabled(!fits);
+    const bool yes = (primaryButton(ui, "Subdivide", width) || app.dialogs.enter) && fits;
+    ImGui::EndDisabled();
+    if (cancel || yes) closeDialog(app);
+    if (yes) subdivideMesh(app, app.dialogs.levels);
     ImGui::EndPopup();
 }
 
@@ -169,7 +216,10 @@ void drawDialogs(App& app) {
         case Dialog::open:
         case Dialog::saveAs:
         case Dialog::exportAs:
+        case Dialog::transfer:
             return drawFiles(app);
+        case Dialog::subdivide:
+            return drawSubdivide(app);
     }
 }
 

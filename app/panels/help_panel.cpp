@@ -6,6 +6,7 @@
 
 #include "app/actions.h"
 #include "app/panels/panels.h"
+#include "core/spacing.h"
 
 namespace pelage {
 namespace {
@@ -114,9 +115,10 @@ void drawReport(App& app) {
             for (const auto& [name, count] : rows) helpRow(grouped(count), name);
             ImGui::EndTable();
         }
-        caption(uiOf(app), report.warnings.empty() ? "NO NOTES" : "NOTES");
-        for (const std::string& warning : report.warnings)
-            ImGui::TextWrapped("%s", warning.c_str());
+        std::vector<std::string> notes = report.warnings;
+        for (std::string& note : spacingNotes(app.document())) notes.push_back(std::move(note));
+        caption(uiOf(app), notes.empty() ? "NO NOTES" : "NOTES");
+        for (const std::string& note : notes) ImGui::TextWrapped("%s", note.c_str());
     }
     ImGui::End();
 }

@@ -5,6 +5,7 @@
 
 #include "app/actions.h"
 #include "app/panels/panels.h"
+#include "core/spacing.h"
 
 namespace pelage {
 namespace {
@@ -22,6 +23,16 @@ void drawItem(App& app, const Action& action) {
                         isEnabled(app, action)))
         perform(app, action);
     tip(uiOf(app), action.help);
+}
+
+// How fine the mesh is for what grows on it.
+void drawMeshSize(const App& app) {
+    const Skin& skin = app.skin();
+    ImGui::Separator();
+    ImGui::TextDisabled("%s vertices, %s apart", grouped(skin.source->positions.size()).c_str(),
+                        lengthText(skin.spacing).c_str());
+    if (const float hair = medianHair(app.document()); hair > 0.0f && hair < skin.spacing)
+        ImGui::TextDisabled("Coarser than the hair is long: %s", lengthText(hair).c_str());
 }
 
 void drawRecent(App& app) {
@@ -60,13 +71,14 @@ void toolbarLine(const App& app) {
 float drawMenu(App& app) {
     if (!ImGui::BeginMainMenuBar()) return 0.0f;
     const float height = ImGui::GetWindowSize().y;
-    for (const char* menu : {"File", "Edit", "Brush", "Mask", "View", "Help"}) {
+    for (const char* menu : {"File", "Edit", "Brush", "Mask", "Mesh", "View", "Help"}) {
         if (!ImGui::BeginMenu(menu)) continue;
         for (const Action& action : actions()) {
             if (menu != std::string_view(action.menu)) continue;
             drawItem(app, action);
             if (action.name == std::string_view("file.open")) drawRecent(app);
         }
+        if (menu == std::string_view("Mesh") && app.isOpen()) drawMeshSize(app);
         ImGui::EndMenu();
     }
     const std::string title = app.name + (app.saved() ? "" : "*");

@@ -161,6 +161,14 @@ printf 'save tetra.obj\n' >over.txt
 bad 1 'over\.txt: line 1: save: "tetra\.obj" does not end in \.glb' \
     export tetra.obj --script over.txt -o never.glb
 head -1 tetra.obj | grep -q '^v 0 0 0$' || fail "a script saved over the source"
+json 'j.triangles === 64' -- export tetra.obj --subdivide 2 -o fine.glb --json
+json 'j.triangles === 64' 'j.boundaryEdges === 0' 'j.spacing > 0' -- info fine.glb --json
+good export tetra.obj --transfer tetra.glb -o taken.glb
+grep -aq '"stiffness":0.25' taken.glb || fail "--transfer did not take the coats over"
+expect 0 export fine.glb --transfer tetra.glb -o rounded.glb
+grep -q 'tetra\.glb: .* farther than 5 %' err.txt || fail "--transfer did not tell of far vertices"
+bad 1 'none\.glb: ' export tetra.obj --transfer none.glb -o never.glb
+bad 2 'export .*--subdivide' export tetra.obj --subdivide 9 -o never.glb
 bad 1 'none\.txt: ' export tetra.obj --script none.txt -o never.glb
 bad 2 '--set over\.stiffness=3: over\.stiffness is 3, range 0\.\.1' \
     export tetra.obj --set over.stiffness=3 -o never.glb

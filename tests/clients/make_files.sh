@@ -1,7 +1,7 @@
 #!/bin/sh
 # make_files.sh -- writes the files under test with the shipped program, and what it says of them.
 #
-#   make_files.sh PELAGE FOLDER [NAME=SOURCE=PRESET...]
+#   make_files.sh PELAGE FOLDER [NAME=SOURCE=PRESET[=OPTION]...]
 # Leaves NAME.glb, NAME_uvs.glb (with the compatibility mirror) and NAME.json in FOLDER; the
 # built-in animal is always among them.
 set -e
@@ -22,8 +22,12 @@ for case in "$@"; do
     name=${case%%=*}
     rest=${case#*=}
     source=${rest%%=*}
-    preset=${rest#*=}
-    "$pelage" export "$source" --preset "$preset" -o "$folder/$name.glb"
-    "$pelage" export "$source" --preset "$preset" --compatibility-uvs -o "$folder/${name}_uvs.glb"
+    rest=${rest#*=}
+    preset=${rest%%=*}
+    option=${rest#"$preset"}
+    option=${option#=}
+    set -- "$source" --preset "$preset" ${option:+"$option"}
+    "$pelage" export "$@" -o "$folder/$name.glb"
+    "$pelage" export "$@" --compatibility-uvs -o "$folder/${name}_uvs.glb"
     describe "$name"
 done

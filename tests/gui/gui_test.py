@@ -409,6 +409,33 @@ class EditorInAWindow(WindowTest):
         self.assertEqual(editor.expect("opened"), os.path.normpath(self.mesh))
         self.assertEqual(editor.close(), 0)
 
+    def test_subdividing_is_one_step_that_is_undone_redone_and_replayed(self):
+        coarse = self.path("coarse.glb")
+        subprocess.run([PELAGE, "animal", "--triangles", "2000", "-o", coarse], check=True,
+                       stdout=subprocess.DEVNULL)
+        editor = self.start(coarse)
+        editor.ready()
+        # Mesh, Subdivide...
+        for x, y in ((156, 12), (176, 41)):
+            editor.do("mousemove", x, y, "sleep", "0.5", "click", 1, "sleep", "1")
+        editor.expect("asked subdivide")
+        time.sleep(1)
+        editor.key("Return")
+        editor.expect("commit Subdivide")
+        time.sleep(2)  # until the window is drawn again
+        editor.drag()
+        editor.expect("commit Comb")
+        for key, step in (("ctrl+z", "undo Comb"), ("ctrl+z", "undo Subdivide"),
+                          ("ctrl+shift+z", "redo Subdivide"), ("ctrl+shift+z", "redo Comb")):
+            editor.key(key)
+            editor.expect(step)
+        lines = editor.journal()
+        self.assertIn("\nsubdivide\n", lines)
+        saved = editor.save(self.path("fine.glb"))
+        self.assertReplayGives(lines, saved)
+        self.assertEqual(self.info(saved)["triangles"], 4 * self.info(coarse)["triangles"])
+        self.assertEqual(editor.close(), 0)
+
     def test_dragging_a_slider_is_one_step(self):
         editor = self.start(self.mesh)
         editor.ready()

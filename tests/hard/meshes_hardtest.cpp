@@ -1,7 +1,11 @@
 // meshes_hardtest.cpp -- hair on broken, huge, tiny, far and distorted meshes.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/animal.h"
+#include "core/subdivide.h"
+#include "core/transfer.h"
 #include "hair_check.h"
 #include "hard_cases.h"
 
@@ -44,6 +48,30 @@ TEST(HardMeshes, AMillionHairsOnOneTriangle) {
     EXPECT_EQ(test::faultOf(*document.skin, roots, document.fur.hairs), "");
     EXPECT_TRUE(test::sameRoots(roots, test::rootsOf(document, 2)));
     EXPECT_EQ(roots.roots.size(), 1'000'000u);
+}
+
+TEST(HardMeshes, EachOfThemCanBeSubdividedAndTakesItsGroomBack) {
+    for (test::HardMesh& mesh : test::hardMeshes()) {
+        SCOPED_TRACE(mesh.name);
+        const Document before = openDocument(std::move(mesh.source));
+        const Document after = subdivided(before, 2);
+        const Source& source = *after.skin->source;
+        EXPECT_EQ((MeshSize{source.positions.size(), source.triangles.size()}),
+                  sizesAfterCuts(*before.skin->source, 2).back());
+        const vec3 slack(1e-5f * before.skin->size());
+        for (const uvec3 t : after.skin->triangles) {
+            for (int k = 0; k < 3; ++k) {
+                const vec3 p = after.skin->vertices[t[k]].position;
+                ASSERT_EQ(glm::clamp(p, before.skin->lower - slack, before.skin->upper + slack), p);
+            }
+        }
+        const Document back = transferred(before, after).document;
+        for (std::size_t v = 0; v < back.groom.fur.size(); ++v) {
+            const FurVertex& fur = back.groom.fur[v];
+            ASSERT_TRUE(fur.furLength >= 0.0f && std::isfinite(fur.furLength));
+            ASSERT_LE(glm::length(fur.direction), 1.0001f);
+        }
+    }
 }
 
 // A ball's hair points out of the ball, whatever becomes of the ball.
