@@ -183,6 +183,7 @@ void drawFrame(App& app, Renderer& renderer, FrameKeys& keys, double now, bool e
     useKeys(app, keys);
     if (app.isOpen() && !ImGui::IsAnyItemActive()) commitPending(app);
     updateLines(app);
+    if (app.isOpen() && now - keys.changed >= kRest) stepPresets(app);
     if (app.isOpen())
         drawPicture(app, renderer, keys, now, events);
     else if (!asking(app))

@@ -18,6 +18,7 @@
 #include "app/actions.h"
 #include "app/app.h"
 #include "app/frame.h"
+#include "core/files.h"
 
 namespace pelage {
 namespace {
@@ -111,7 +112,11 @@ void onScroll(GLFWwindow* handle, double, double y) {
 void onDrop(GLFWwindow* handle, int count, const char** paths) {
     happened(handle);
     App& app = windowOf(handle).app;
-    if (count > 0 && app.dialogs.current == Dialog::none) openFile(app, paths[0]);
+    if (count < 1 || app.dialogs.current != Dialog::none) return;
+    if (hasExtension(paths[0], kPresetExtension))
+        dropPreset(app, paths[0]);
+    else
+        openFile(app, paths[0]);
 }
 
 void onClose(GLFWwindow* handle) {
@@ -219,7 +224,8 @@ void awaitEvents(Window& window) {
     App& app = window.app;
     const double now = glfwGetTime();
     double wait = 1e9;
-    if (window.redraws > 0 || window.closing || app.windBlows()) wait = 0.0;
+    if (window.redraws > 0 || window.closing || app.windBlows() || shelfBusy(app.shelf))
+        wait = 0.0;
     if (app.isOpen() && !app.stats.finished && !ImGui::GetIO().WantTextInput) wait = 0.0;
     if (window.keys.moving)
         wait = std::min(wait, std::max(window.keys.changed + kRest - now, 0.001));

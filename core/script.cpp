@@ -10,6 +10,7 @@
 #include "coat.h"
 #include "files.h"
 #include "gltf_out.h"
+#include "preset_file.h"
 #include "region_text.h"
 #include "script_text.h"
 #include "segment_text.h"
@@ -75,7 +76,7 @@ void runAnimal(Workspace& workspace, Words& words) {
 }
 
 void runPreset(Workspace& workspace, Words& words) {
-    const Preset& preset = presetNamed(words.rest());
+    const Preset preset = findPreset(words.rest());
     Editor& editor = editorOf(workspace);
     editor.edit([&](Document& document) { applyPreset(document.fur, preset); });
     editor.commit("Preset " + preset.name);
