@@ -164,7 +164,8 @@ void drawSavePreset(App& app) {
     const bool cancel = plainButton(ui, "Cancel", width) || app.dialogs.escape;
     ImGui::SameLine();
     ImGui::BeginDisabled(!possible);
-    const bool keep = primaryButton(ui, known ? "Replace" : "Save", width) || app.dialogs.enter;
+    const bool keep =
+        primaryButton(ui, known && !taken ? "Replace" : "Save", width) || app.dialogs.enter;
     ImGui::EndDisabled();
     if (cancel || (keep && possible)) closeDialog(app);
     if (keep && possible && !cancel) {
