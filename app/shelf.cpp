@@ -24,7 +24,7 @@ std::shared_ptr<ShelfPicture> pictureOf(const std::vector<std::byte>& encoded) {
     Decoded decoded = decodePicture(encoded, GL_RGBA8, 3);
     if (!decoded.texture) return nullptr;
     glGenerateTextureMipmap(decoded.texture.name());
-    return std::make_shared<ShelfPicture>(std::move(decoded.texture));
+    return std::make_shared<ShelfPicture>(ShelfPicture{std::move(decoded.texture)});
 }
 
 }  // namespace
