@@ -13,6 +13,7 @@
 #include "app/file_dialog.h"
 #include "app/session.h"
 #include "app/settings.h"
+#include "app/shelf.h"
 #include "app/theme.h"
 #include "app/viewport.h"
 #include "app/widgets.h"
@@ -27,7 +28,17 @@
 
 namespace pelage {
 
-enum class Dialog { none, unsaved, lostWork, open, saveAs, exportAs, transfer, subdivide };
+enum class Dialog {
+    none,
+    unsaved,
+    lostWork,
+    open,
+    saveAs,
+    exportAs,
+    savePreset,
+    transfer,
+    subdivide
+};
 
 struct Dialogs {
     Dialog current = Dialog::none;
@@ -38,6 +49,8 @@ struct Dialogs {
     std::vector<MeshSize> sizes;  // of the mesh now and subdivided once, twice, ...
     int levels = 1;               // of which this one is chosen
     std::vector<LostWork> lost;  // offered one after the other
+    Preset preset;               // that is to be saved; its coats come at the end
+    bool presetFresh = false;    // its dialog was just opened
     std::string problem;         // shown in a box until it is read; empty = none
     bool help = false, report = false;
     bool escape = false, enter = false;  // keys of this frame, for the question that is open
@@ -58,6 +71,7 @@ struct App {
     Theme theme;
     Tips tips;
     Viewport viewport;
+    Shelf shelf;
     Dialogs dialogs;
     std::unique_ptr<Journal> journal;
     std::size_t journalStep = 0;  // the step of history that the journal's first line makes
@@ -108,7 +122,7 @@ void cancelPending(App& app);
 void undo(App& app);
 void redo(App& app);
 void goToStep(App& app, std::size_t step);
-void choosePreset(App& app, const std::string& name);
+void choosePreset(App& app, const Preset& preset);
 void floodSkin(App& app, vec3 direction);                         // of combing, world
 void resetSkin(App& app);                                         // what the brush paints
 void editRegion(App& app);                                        // as the session says
@@ -143,6 +157,13 @@ void meetPointer(App& app, bool mine);
 void askSubdivide(App& app);
 void subdivideMesh(App& app, int levels);
 void transferFrom(App& app, const std::string& path);
+
+// Presets (preset_edits.cpp).
+void openShelf(App& app);                            // reads the user's own
+void dropPreset(App& app, const std::string& path);  // puts on what a file holds
+void keepPreset(App& app, Preset preset);            // among the user's own, under its name
+void removePreset(App& app, const Preset& preset);
+void stepPresets(App& app);  // goes on with their pictures
 
 // Files (files.cpp). All of them ask first when work would be lost, and then go on by themselves.
 void leave(App& app, std::function<void()> then);

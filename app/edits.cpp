@@ -234,7 +234,14 @@ void goToStep(App& app, std::size_t step) {
     while (app.editor().currentStep() < step) redo(app);
 }
 
-void choosePreset(App& app, const std::string& name) { runStep(app, "preset " + name); }
+// The journal gets every value, since a file may change or go.
+void choosePreset(App& app, const Preset& preset) {
+    commitPending(app);
+    app.pending = Pending{"", "Preset " + preset.name, app.document().fur};
+    app.touched = true;
+    app.editor().edit([&](Document& document) { applyPreset(document.fur, preset); });
+    commitPending(app);
+}
 
 void floodSkin(App& app, vec3 direction) {
     const Brush brush = withSegment(app, app.session.brush());

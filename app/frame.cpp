@@ -194,6 +194,7 @@ void drawFrame(App& app, Renderer& renderer, FrameKeys& keys, double now, bool e
     if (app.isOpen() && !ImGui::IsAnyItemActive() && app.viewport.drag != Drag::axis)
         commitPending(app);
     updateLines(app);
+    if (app.isOpen() && now - keys.changed >= kRest) stepPresets(app);
     if (app.isOpen()) {
         drawPicture(app, renderer, keys, now, events);
         drawHand(app);

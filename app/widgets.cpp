@@ -101,6 +101,9 @@ void tip(Ui ui, const char* text, const char* detail) {
         tips.wakeAt = tips.since + kTipDelay;
         return;
     }
+    // Its first frame is spent on its size, and nothing else may ask for the ones that show it.
+    if (now - tips.since - kTipDelay < 2.0 * static_cast<double>(ImGui::GetIO().DeltaTime))
+        tips.wakeAt = now;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ui.theme.px(280));
     ImGui::TextUnformatted(text);

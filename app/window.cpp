@@ -19,6 +19,7 @@
 #include "app/app.h"
 #include "app/frame.h"
 #include "app/pen.h"
+#include "core/files.h"
 
 namespace pelage {
 namespace {
@@ -114,7 +115,11 @@ void onScroll(GLFWwindow* handle, double, double y) {
 void onDrop(GLFWwindow* handle, int count, const char** paths) {
     happened(handle);
     App& app = windowOf(handle).app;
-    if (count > 0 && app.dialogs.current == Dialog::none) openFile(app, paths[0]);
+    if (count < 1 || app.dialogs.current != Dialog::none) return;
+    if (hasExtension(paths[0], kPresetExtension))
+        dropPreset(app, paths[0]);
+    else
+        openFile(app, paths[0]);
 }
 
 void onClose(GLFWwindow* handle) {
@@ -225,7 +230,7 @@ void awaitEvents(Window& window) {
     App& app = window.app;
     const double now = glfwGetTime();
     double wait = 1e9;
-    if (window.redraws > 0 || window.closing || app.moves()) wait = 0.0;
+    if (window.redraws > 0 || window.closing || app.moves() || shelfBusy(app.shelf)) wait = 0.0;
     if (app.isOpen() && !app.stats.finished && !ImGui::GetIO().WantTextInput) wait = 0.0;
     if (window.keys.moving)
         wait = std::min(wait, std::max(window.keys.changed + kRest - now, 0.001));

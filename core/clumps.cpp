@@ -91,7 +91,8 @@ private:
         const Coat& coat = over ? fur.over : fur.under;
         const float expected = static_cast<float>(hairs) / std::max(coat.clumpSize, 1.0f);
         const float whole = std::floor(expected);
-        const float u = rand01(pcg(first->triangle ^ pcg(fur.seed ^ kGuideStream ^ (over ? 1u : 0u))));
+        const uint stream = kGuideStream ^ (over ? 1u : 0u);
+        const float u = rand01(pcg(first->triangle ^ pcg(fur.seed ^ stream)));
         uint wanted = static_cast<uint>(whole) + (u < expected - whole ? 1u : 0u);
         for (uint k = 0; k < cluster.count && wanted > 0; ++k) {
             const Root& root = *(first + k);

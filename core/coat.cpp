@@ -79,6 +79,9 @@ constexpr Parameter kFurRows[] = {
      offsetof(Fur, share)},
     {"hairs", "Hairs", "", "Hairs on the entire skin where the painted density is 1.", Kind::count,
      0, 5e6f, offsetof(Fur, hairs)},
+    {"skinColor", "Skin color", "share",
+     "How far the color of the skin shows in the hair; 0 leaves the colors of the coats alone.",
+     Kind::scalar, 0, 1, offsetof(Fur, skinColor)},
     {"gravity", "Gravity", "", "How strongly hair is pulled; 0 is weightless.", Kind::scalar, 0, 1,
      offsetof(Fur, gravity)},
     {"gravityDirection", "Gravity direction", "unit vector", "Where hair falls, in the world.",
@@ -258,6 +261,7 @@ Fur defaultFur() {
     fur.share = 0.3f;
     fur.hairs = 100'000;
     fur.seed = 1;
+    fur.skinColor = 1.0f;
     return fur;
 }
 

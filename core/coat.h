@@ -61,21 +61,27 @@ void setParameter(Fur& fur, std::string_view path, std::string_view value);
 
 // The fur as the JSON object of extras.fur (schema: assets/fur.schema.json), and back. Reading
 // takes the defaults for what is missing, ignores what it does not know, and throws
-// std::runtime_error on a newer version, a wrong type or a value out of range.
+// std::runtime_error on a newer version, a wrong type or a value out of range; `place` opens its
+// message.
 std::string furToJson(const Fur& fur, int indent = -1);
-Fur furFromJson(std::string_view json);
+Fur furFromJson(std::string_view json, const std::string& place = "extras.fur");
 
 struct Preset {
-    std::string name;   // "house cat"
-    std::string about;  // one sentence
-    Fur fur;
+    std::string name;    // "house cat short hair"
+    std::string author;  // may be empty, as all below
+    std::string note;    // one sentence
+    Fur fur{};
+    bool seeded = false;               // the seed is part of it
+    std::vector<std::byte> thumbnail;  // PNG or JPEG
+    std::string file;                  // that it was read from
 };
 
 // All presets of the program (assets/presets/*.json, compiled in), in the order of their names.
 const std::vector<Preset>& presets();
-// The preset of that name; throws std::runtime_error that lists the names there are.
-const Preset& presetNamed(std::string_view name);
-// Takes over looks and behaviour; keeps the seed of `fur`.
+// The preset of that name, of the program's or else of `own`; throws std::runtime_error that lists
+// the names there are.
+const Preset& presetNamed(std::string_view name, std::span<const Preset> own = {});
+// Takes over looks and behaviour; keeps the seed of `fur` unless the preset has one of its own.
 void applyPreset(Fur& fur, const Preset& preset);
 
 }  // namespace pelage

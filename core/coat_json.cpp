@@ -16,8 +16,6 @@ constexpr int kVersion = 1;
 using FurJson = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool,
                                      std::int64_t, std::uint64_t, float>;
 
-[[noreturn]] void fail(const std::string& what) { throw std::runtime_error("extras.fur: " + what); }
-
 template <class Object>
 FurJson valueToJson(const Object& object, const Parameter& row) {
     if (row.kind == ParameterKind::count) return parameterCount(object, row);
@@ -114,7 +112,10 @@ std::string furToJson(const Fur& fur, int indent) {
     return json.dump(indent);
 }
 
-Fur furFromJson(std::string_view text) {
+Fur furFromJson(std::string_view text, const std::string& place) {
+    const auto fail = [&](const std::string& what) {
+        throw std::runtime_error(place + ": " + what);
+    };
     FurJson json;
     try {
         json = FurJson::parse(text);

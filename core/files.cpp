@@ -149,8 +149,10 @@ void writeFileAtomically(const std::string& path, std::span<const std::byte> byt
 
 bool hasExtension(const std::string& path, std::string_view extension) {
     const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-    return std::ranges::equal(std::filesystem::path(path).extension().string(), extension, {},
-                              lower, lower);
+    const std::string name = std::filesystem::path(path).filename().string();
+    return name.size() > extension.size() &&
+           std::ranges::equal(std::string_view(name).substr(name.size() - extension.size()),
+                              extension, {}, lower, lower);
 }
 
 void expectExtension(const std::string& path, std::string_view extension) {

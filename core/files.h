@@ -15,7 +15,8 @@ namespace pelage {
 // is killed while it writes (on file systems that have files without names).
 void writeFileAtomically(const std::string& path, std::span<const std::byte> bytes);
 
-// Whether the name ends in `extension` (".glb"), in upper or lower case.
+// Whether the name ends in `extension` (".glb", ".fur.json"), in upper or lower case, and is more
+// than that.
 bool hasExtension(const std::string& path, std::string_view extension);
 
 // What is written is of one format, whatever the name: refuses a name without the extension, so

@@ -14,8 +14,6 @@
 namespace pelage {
 namespace {
 
-constexpr std::size_t kMaxDepth = 200;  // of nested JSON; what walks it later may recurse
-
 std::uint32_t wordAt(std::span<const std::byte> bytes, std::size_t at) {
     const auto b = [&](std::size_t i) { return std::to_integer<std::uint32_t>(bytes[at + i]); };
     return b(0) | b(1) << 8 | b(2) << 16 | b(3) << 24;
@@ -61,40 +59,6 @@ Chunks splitContainer(std::span<const std::byte> bytes, GltfFile& file) {
         at += 8 + size;
     }
     return chunks;
-}
-
-// Refuses JSON that nests too deep, before anything recurses over it.
-void checkDepth(std::string_view text, const std::string& name) {
-    std::size_t depth = 0;
-    bool inString = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (inString) {
-            if (c == '\\') ++i;
-            if (c == '"') inString = false;
-        } else if (c == '"') {
-            inString = true;
-        } else if (c == '[' || c == '{') {
-            if (++depth > kMaxDepth) {
-                throw std::runtime_error(name + ": JSON at byte " + std::to_string(i) +
-                                         " is nested deeper than " + std::to_string(kMaxDepth));
-            }
-        } else if ((c == ']' || c == '}') && depth > 0) {
-            --depth;
-        }
-    }
-}
-
-Json parsedJson(const std::string& text, const std::string& name) {
-    checkDepth(text, name);
-    try {
-        return Json::parse(text);
-    } catch (const Json::parse_error& error) {
-        throw std::runtime_error(name + ": JSON is broken or cut off at byte " +
-                                 std::to_string(error.byte) + " of " + std::to_string(text.size()));
-    } catch (const Json::exception&) {
-        throw std::runtime_error(name + ": JSON holds a number that no float can hold");
-    }
 }
 
 // Where one part of the file names another by number: "[]" stands for every element of an array,

@@ -26,7 +26,43 @@ float finiteFloat(const JsonPlace& place) {
     return static_cast<float>(value);
 }
 
+constexpr std::size_t kMaxDepth = 200;  // of nested JSON; what walks it later may recurse
+
+// Refuses JSON that nests too deep, before anything recurses over it.
+void checkDepth(std::string_view text, const std::string& name) {
+    std::size_t depth = 0;
+    bool inString = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (inString) {
+            if (c == '\\') ++i;
+            if (c == '"') inString = false;
+        } else if (c == '"') {
+            inString = true;
+        } else if (c == '[' || c == '{') {
+            if (++depth > kMaxDepth) {
+                throw std::runtime_error(name + ": JSON at byte " + std::to_string(i) +
+                                         " is nested deeper than " + std::to_string(kMaxDepth));
+            }
+        } else if ((c == ']' || c == '}') && depth > 0) {
+            --depth;
+        }
+    }
+}
+
 }  // namespace
+
+Json parsedJson(std::string_view text, const std::string& name) {
+    checkDepth(text, name);
+    try {
+        return Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        throw std::runtime_error(name + ": JSON is broken or cut off at byte " +
+                                 std::to_string(error.byte) + " of " + std::to_string(text.size()));
+    } catch (const Json::exception&) {
+        throw std::runtime_error(name + ": JSON holds a number that no float can hold");
+    }
+}
 
 void JsonPlace::refuse(const std::string& what) const {
     throw std::runtime_error(*file_ + ": " + text_ + (text_.empty() ? "" : ": ") + what);

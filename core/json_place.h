@@ -13,6 +13,10 @@ namespace pelage {
 
 using Json = nlohmann::json;
 
+// The text as JSON. Refuses with std::runtime_error "name: ..." what is none, nests deeper than 200
+// (what walks it may recurse), or holds a number that no float can hold.
+Json parsedJson(std::string_view text, const std::string& name);
+
 // What is asked for and is missing or of the wrong kind is refused with std::runtime_error
 // "horse.gltf: accessors[3].count: is "many", not a whole number from 1 to 100".
 class JsonPlace {

@@ -12,6 +12,7 @@
 #include "gltf_out.h"
 #include "gradient.h"
 #include "mask_edit.h"
+#include "preset_file.h"
 #include "region_text.h"
 #include "rig.h"
 #include "script_text.h"
@@ -95,7 +96,7 @@ void runAnimal(Workspace& workspace, Words& words) {
 }
 
 void runPreset(Workspace& workspace, Words& words) {
-    const Preset& preset = presetNamed(words.rest());
+    const Preset preset = findPreset(words.rest());
     Editor& editor = editorOf(workspace);
     editor.edit([&](Document& document) { applyPreset(document.fur, preset); });
     editor.commit("Preset " + preset.name);

@@ -3,7 +3,7 @@
 // The lines (documented in README.md; `pelage export --script FILE` and the journal use the same):
 //   open PATH
 //   animal [TRIANGLES]                     the built-in animal, as the program opens it
-//   preset NAME
+//   preset NAME|FILE                       a coat by its name, or a file that ends in .fur.json
 //   set over.stiffness 0.3 [NAME VALUE ...]
 //   stroke TOOL [add|subtract|set VALUE|scale FACTOR] [color r g b] radius R [strength S]
 //          [falloff NAME] [mirror [xyz]] [straight] [through] [pressure] : px py pz nx ny nz  px py

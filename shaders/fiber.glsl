@@ -77,10 +77,10 @@ FiberLight fiberLight(Strand s, Coat coat, Light light, vec3 base, float t, vec3
     return f;
 }
 
-// Radiance towards the eye of a hair, or of a side of it, that is shaded by this unit normal. Kajiya
-// and Kay, "Rendering fur with three dimensional textures", 1989, for diffuse and specular; half of
-// the diffuse term and the strength of the highlight use the shading normal of Van Gelder and
-// Wilhelms 1997, 3.7, so that each hair catches the light differently.
+// Radiance towards the eye of a hair, or of a side of it, that is shaded by this unit normal.
+// Kajiya and Kay, "Rendering fur with three dimensional textures", 1989, for diffuse and specular;
+// half of the diffuse term and the strength of the highlight use the shading normal of Van Gelder
+// and Wilhelms 1997, 3.7, so that each hair catches the light differently.
 vec3 radianceOf(FiberLight f, vec3 shading, vec3 toKey) {
     float diffuse = 0.5f * (f.sine + max(0.0f, dot(shading, toKey)));
     return f.ambient + diffuse * f.diffuse + max(0.0f, dot(shading, f.halfway)) * f.specular;

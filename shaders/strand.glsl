@@ -90,8 +90,8 @@ float arcOfUnitCurve(float m) {
     return s * m + 1.0000026f;
 }
 
-// By how much a helix around a straight hair is longer than the hair: its radius grows from 0 at the
-// root to `radius` (share of the length) at the tip, in so many turns.
+// By how much a helix around a straight hair is longer than the hair: its radius grows from 0 at
+// the root to `radius` (share of the length) at the tip, in so many turns.
 float arcOfHelix(float radius, float turns) {
     float a = 1.0f + radius * radius;
     float b = 39.478418f * turns * turns * radius * radius;
@@ -143,7 +143,8 @@ vec3 pullAt(Fur fur, vec3 place, float seconds) {
         if (fur.gusts > 0.0f) {
             vec3 p = place * (1.0f / max(fur.gustSize, 1e-6f)) -
                      (fur.gustRate * seconds) * fur.windDirection;
-            if (dot(p, p) < 1e12f) strength = strength * (1.0f + min(fur.gusts, 1.0f) * spaceNoise(p));
+            if (dot(p, p) < 1e12f)
+                strength = strength * (1.0f + min(fur.gusts, 1.0f) * spaceNoise(p));
         }
         pull = pull + strength * fur.windDirection;
     }
@@ -221,7 +222,8 @@ Strand gatherStrand(Strand s, Strand guide, Coat coat) {
 // A length that a hair may have; 0 for none, also for NaN.
 float sanitizedLength(float asked) { return asked > 1e-12f && asked <= 1e6f ? asked : 0.0f; }
 
-// Length of the hair of a root, m, 0 for none, where the corners of its triangle hold these lengths.
+// Length of the hair of a root, m, 0 for none, where the corners of its triangle hold these
+// lengths.
 float lengthAt(Root root, float a, float b, float c, Fur fur) {
     vec3 k = baryWeights(root.bary);
     float relative = isOvercoat(root.id, fur.share) ? fur.over.relativeLength
@@ -260,9 +262,9 @@ Strand growStrand(Root root, SkinVertex a, SkinVertex b, SkinVertex c, FurVertex
     return s;
 }
 
-// Weights of the weightless direction and of the end in the point of the spine at t: origin + scale *
-// (x * weightless + y * end). Linear in the two, so that they may be transformed once for all
-// points of a hair.
+// Weights of the weightless direction and of the end in the point of the spine at t:
+// origin + scale * (x * weightless + y * end). Linear in the two, so that they may be transformed
+// once for all points of a hair.
 vec2 strandWeights(float t) { return vec2(t * (1.0f - t), t * t); }
 
 // True where hair of the coat may be more than its spine.

@@ -130,17 +130,18 @@ vec3 colorAtRoot(Root root, vec3 weights, vec3 field) {
                weights.z * segmentColor(segmentOf[t.z]);
     if (frame.overlay != 0u && frame.overlay != 3u) return heat(dot(weights, field));
     vec2 uv = vec2(0.0);
-    vec3 tint = weights.x * furVertices[t.x].tint + weights.y * furVertices[t.y].tint +
-                weights.z * furVertices[t.z].tint;
+    vec3 painted = weights.x * furVertices[t.x].tint + weights.y * furVertices[t.y].tint +
+                   weights.z * furVertices[t.z].tint;
+    vec3 skin = vec3(1.0);
     if (frame.textured != 0u) {
         Corner a = corners[sourceTriangles[3u * root.triangle]];
         Corner b = corners[sourceTriangles[3u * root.triangle + 1u]];
         Corner c = corners[sourceTriangles[3u * root.triangle + 2u]];
         uv = weights.x * a.uv + weights.y * b.uv + weights.z * c.uv;
-        tint *= weights.x * unpackUnorm4x8(a.color).rgb + weights.y * unpackUnorm4x8(b.color).rgb +
-                weights.z * unpackUnorm4x8(c.color).rgb;
+        skin = weights.x * unpackUnorm4x8(a.color).rgb + weights.y * unpackUnorm4x8(b.color).rgb +
+               weights.z * unpackUnorm4x8(c.color).rgb;
     }
-    return tint * materialColor(t.w, uv);
+    return painted * mix(vec3(1.0), skin * materialColor(t.w, uv), fur.skinColor);
 }
 
 struct Look {  // what the colors of one hair are made from

@@ -73,8 +73,8 @@ struct Fur {                // everything about the fur that is not painted
     float gusts;            // [0,1] share by which the wind swells and dies
     float gustRate;         // [0,5] Hz
     float gustSize;         // m, from gust to gust
+    float skinColor;        // [0,1] how far the color of the skin shows in the hair
     float pad0;
-    float pad1;
 #ifdef __cplusplus
     bool operator==(const Fur&) const = default;
 #endif

@@ -63,6 +63,7 @@ int runCommandLine(int argc, char** argv) {
     addRender(app, json);
     addExport(app, json);
     addAnimal(app, json);
+    addPreset(app, json);
     addPresets(app, json);
     app.final_callback([&] {
         if (!app.get_subcommands().empty()) return;

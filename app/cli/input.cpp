@@ -8,6 +8,7 @@
 #include "app/cli/cli.h"
 #include "core/animal.h"
 #include "core/files.h"
+#include "core/preset_file.h"
 #include "core/script.h"
 #include "core/source.h"
 #include "core/subdivide.h"
@@ -30,7 +31,7 @@ void applySet(Fur& fur, const std::string& text) {
 
 void applyNamedPreset(Fur& fur, const std::string& name) {
     try {
-        applyPreset(fur, presetNamed(name));
+        applyPreset(fur, findPreset(name));
     } catch (const std::runtime_error& error) {
         throw UsageError(std::string("--preset: ") + error.what());
     }
@@ -57,8 +58,9 @@ void addInputOptions(CLI::App& verb, InputOptions& options) {
     verb.add_option("--animal", options.animal, "The built-in animal of N triangles, not a file")
         ->type_name("N")
         ->check(CLI::Range(std::size_t{2000}, std::size_t{2000000}));
-    verb.add_option("--preset", options.preset, "Put on a coat; see pelage presets")
-        ->type_name("NAME");
+    verb.add_option("--preset", options.preset,
+                    "Put on a coat: one of pelage presets, or a .fur.json file")
+        ->type_name("NAME|FILE");
     verb.add_option("--script", options.script, "Run the lines of a script on the document")
         ->type_name("S");
     verb.add_option("--set", options.sets, "Set a coat parameter: over.stiffness=0.3 (repeatable)")

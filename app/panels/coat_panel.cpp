@@ -1,4 +1,4 @@
-// coat_panel.cpp -- presets, and the fur's parameters: two equal groups from one table.
+// coat_panel.cpp -- the fur's parameters: what coats share, and two equal groups of one table.
 #include <string>
 
 #include "app/panels/panels.h"
@@ -12,29 +12,6 @@ struct Group {
     Coat Fur::*coat;
 };
 constexpr Group kGroups[] = {{"Overcoat", "over", &Fur::over}, {"Undercoat", "under", &Fur::under}};
-
-void drawPresets(App& app) {
-    const Ui ui = uiOf(app);
-    const Fur& fur = app.document().fur;
-    const Preset* current = nullptr;
-    for (const Preset& preset : presets()) {
-        Fur made = fur;
-        applyPreset(made, preset);
-        if (made == fur) current = &preset;
-    }
-    ImGui::SetNextItemWidth(-1);
-    if (ImGui::BeginCombo("##preset", current ? current->name.c_str() : "Own mixture",
-                          ImGuiComboFlags_HeightLarge)) {
-        std::string chosen;
-        for (const Preset& preset : presets()) {
-            if (ImGui::Selectable(preset.name.c_str(), &preset == current)) chosen = preset.name;
-            tip(ui, preset.about.c_str());
-        }
-        ImGui::EndCombo();
-        if (!chosen.empty()) choosePreset(app, chosen);
-    }
-    tip(ui, "Coats to begin with. Choosing one is a step that can be undone.");
-}
 
 }  // namespace
 

@@ -10,9 +10,6 @@
 #include "core/subdivide.h"
 
 namespace pelage {
-namespace {
-
-// A window in the middle that has all input until it is closed.
 bool beginModal(App& app, const char* name, float width) {
     if (!ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
     const ImVec2 window = ImGui::GetIO().DisplaySize;
@@ -34,7 +31,6 @@ void heading(App& app, const char* text) {
     ImGui::Dummy({0, app.theme.px(4)});
 }
 
-// Puts buttons of this many equal widths at the right end of the line; returns one width.
 float buttonsRight(App& app, int count) {
     ImGui::Dummy({0, app.theme.px(8)});
     const float width = app.theme.px(118);
@@ -49,6 +45,8 @@ void closeDialog(App& app) {
     app.dialogs.current = Dialog::none;
     ImGui::CloseCurrentPopup();
 }
+
+namespace {
 
 void drawUnsaved(App& app) {
     if (!beginModal(app, "unsaved", 460)) return;
@@ -213,6 +211,8 @@ void drawDialogs(App& app) {
             return drawUnsaved(app);
         case Dialog::lostWork:
             return drawLostWork(app);
+        case Dialog::savePreset:
+            return drawSavePreset(app);
         case Dialog::open:
         case Dialog::saveAs:
         case Dialog::exportAs:

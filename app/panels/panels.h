@@ -23,6 +23,8 @@ void drawMaskButtons(App& app);
 void actionButtons(App& app, std::span<const char* const> names, int columns);
 void drawSidePanel(App& app, const Layout& layout);  // tabs: coats, view, history, body, regions
 void drawCoats(App& app);
+void drawPresets(App& app);
+void drawSavePreset(App& app);
 void drawRegions(App& app);
 void drawView(App& app);
 void drawHistory(App& app);
@@ -38,6 +40,13 @@ void drawReport(App& app);
 
 // A panel that is fixed at its place. Ends with ImGui::End().
 void beginPanel(const char* name, ImVec2 corner, ImVec2 size, ImGuiWindowFlags extra = 0);
+
+// Of dialogs: a window in the middle that has all input until it is closed, its heading, and
+// buttons of this many equal widths at the right end of the line (returns one width).
+bool beginModal(App& app, const char* name, float width);
+void heading(App& app, const char* text);
+float buttonsRight(App& app, int count);
+void closeDialog(App& app);
 
 inline Ui uiOf(App& app) { return {app.theme, app.tips}; }
 

@@ -49,6 +49,19 @@ HeadlessContext::~HeadlessContext() {
     eglTerminate(display_);
 }
 
+std::vector<std::byte> encodeJpeg(ivec2 size, const std::vector<unsigned char>& rgba) {
+    constexpr int kQuality = 90;
+    std::vector<std::byte> encoded;
+    const auto append = [](void* to, void* data, int count) {
+        const auto* bytes = static_cast<const std::byte*>(data);
+        auto& all = *static_cast<std::vector<std::byte>*>(to);
+        all.insert(all.end(), bytes, bytes + count);
+    };
+    if (!stbi_write_jpg_to_func(append, &encoded, size.x, size.y, 4, rgba.data(), kQuality))
+        throw std::runtime_error("the picture could not be encoded");
+    return encoded;
+}
+
 void writePng(const std::string& path, ivec2 size, const std::vector<unsigned char>& rgba) {
     int bytes = 0;
     unsigned char* png = stbi_write_png_to_mem(rgba.data(), size.x * 4, size.x, size.y, 4, &bytes);

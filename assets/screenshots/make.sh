@@ -33,6 +33,18 @@ if [ -f "$meshes/suzanne.obj" ]; then
         -geometry 200x200+2+2 -background white -quality 90 paper.jpg
 fi
 
+# Every preset on the animal.
+names=(default doormat fox "house cat short hair" mink "monkey 8" "monkey 9" plush rabbit "wolf winter coat")
+font=$(find /usr/share/fonts -iname Roboto-Regular.ttf | head -1)
+files=()
+for name in "${names[@]}"; do
+    files+=("$sheet/$name.png")
+    "$program" render --size 480x400 --samples 32 --repeat 1 --animal 60000 --yaw 62 --pitch 12 \
+        --distance 1.9 --preset "$name" -o "$sheet/$name.png" >"$sheet/log"
+done
+montage ${font:+-font "$font"} -label '%t' "${files[@]}" -tile 5x -geometry 240x200+2+2 \
+    -background white -quality 85 presets.jpg
+
 # The real window, on a display of its own.
 export XDG_STATE_HOME=$(mktemp -d) XDG_CONFIG_HOME=$(mktemp -d)
 trap 'rm -rf "$sheet" "$XDG_STATE_HOME" "$XDG_CONFIG_HOME"' EXIT

@@ -7,6 +7,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 unset DISPLAY WAYLAND_DISPLAY
+export XDG_DATA_HOME=$work/data
 for tool in node identify; do
     command -v $tool >/dev/null && continue
     echo "$tool is not installed (Debian: nodejs, imagemagick)"
@@ -77,7 +78,7 @@ OBJ
 good --version
 grep -qE '^pelage [0-9]+\.[0-9]+\.[0-9]+$' out.txt || fail "version: $(cat out.txt)"
 good --help
-for verb in info render export animal presets; do
+for verb in info render export animal preset presets; do
     good --help
     grep -q "  $verb " out.txt || fail "help does not name $verb"
     good "$verb" --help
@@ -86,7 +87,7 @@ done
 
 # Presets.
 good presets
-grep -q '^house cat  ' out.txt || fail "presets: $(cat out.txt)"
+grep -q '^house cat short hair  ' out.txt || fail "presets: $(cat out.txt)"
 json 'j.presets.length >= 10' 'j.presets.some(p => p.name === "mink" && p.fur.over.stiffness > 0)' \
     -- presets --json
 json 'j.presets.length >= 10' -- --json presets
@@ -182,6 +183,52 @@ bad 2 'render .*"r\.jpg" does not end in \.png' render tetra.obj -o r.jpg
 bad 2 'expected a FILE or --animal N' export tetra.obj --animal 2000 -o never.glb
 bad 2 'export .*--output is required' export tetra.obj
 [ ! -e never.glb ] || fail "a refused export wrote a file"
+
+# Presets as files.
+json 'j.name === "grey"' 'j.bytes < 60000' 'j.output === "grey.fur.json"' \
+    -- preset --animal 2000 --preset 'wolf winter coat' --set over.stiffness=0.25 --set fur.seed=9 \
+    --name grey --author Ann --note 'A sentence.' -o grey.fur.json --json
+node -e '
+    const j = JSON.parse(require("fs").readFileSync("grey.fur.json"));
+    const jpeg = Buffer.from(j.thumbnail.replace("data:image/jpeg;base64,", ""), "base64");
+    require("fs").writeFileSync("grey.jpg", jpeg);
+    if (j.version !== 1 || j.author !== "Ann" || j.note !== "A sentence.") throw Error("texts");
+    if (j.fur.over.stiffness !== 0.25 || j.fur.seed !== 9) throw Error("fur");
+' || fail "grey.fur.json is not what was asked for"
+[ "$(png_size grey.jpg)" = 192x192 ] || fail "grey.jpg: $(png_size grey.jpg)"
+good export tetra.obj --preset grey.fur.json -o grey.glb
+grep -aq '"stiffness":0.25' grey.glb || fail "the preset of a file is not in the export"
+grep -aq '"seed":9' grey.glb || fail "the seed of a preset is not in the export"
+printf 'preset ./grey.fur.json\n' >grey.txt
+good export tetra.obj --script grey.txt -o grey2.glb
+cmp -s grey.glb grey2.glb || fail "a preset by script differs from one by option"
+json 'j.name === "again"' -- preset grey.glb -o again.fur.json --json
+node -e '
+    const [a, b] = ["grey", "again"].map(n => JSON.parse(require("fs").readFileSync(n + ".fur.json")));
+    if (b.name !== undefined) throw Error(b.name);
+    if (JSON.stringify([a.fur, a.thumbnail]) !== JSON.stringify([b.fur, b.thumbnail])) throw Error("fur");
+' || fail "a preset of a groomed file differs"
+mkdir -p data/pelage/presets
+cp grey.fur.json data/pelage/presets/x.fur.json
+json 'j.presets.some(p => p.name === "mink" && p.source === "program")' \
+    'j.presets.some(p => p.name === "grey" && p.author === "Ann" && p.source === j.folder + "/x.fur.json")' \
+    'j.warnings.length === 0' -- presets --json
+good presets
+grep -q '^grey  .*A sentence\. By Ann\. (.*/x\.fur\.json)$' out.txt || fail "presets: $(cat out.txt)"
+good export tetra.obj --preset grey -o grey3.glb
+cmp -s grey.glb grey3.glb || fail "one's own preset by name differs"
+echo '{"fur": {"over": {"stiffness": 3}}}' >data/pelage/presets/bad.fur.json
+json 'j.warnings.length === 1' -- presets --json
+expect 0 presets
+[ "$(wc -l <err.txt)" = 1 ] || fail "a damaged preset: $(cat err.txt)"
+bad 2 '--preset: .*bad\.fur\.json: fur: over\.stiffness is 3, range 0\.\.1' \
+    export tetra.obj --preset data/pelage/presets/bad.fur.json -o never.glb
+bad 2 '--preset: none\.fur\.json: ' export tetra.obj --preset none.fur.json -o never.glb
+bad 2 'preset .*"wolf\.json" does not end in \.fur\.json' preset tetra.obj -o wolf.json
+bad 1 'long\.fur\.json: name: is 61 bytes long, at most 60' \
+    preset tetra.obj -o long.fur.json --name "$(printf 'x%.0s' {1..61})"
+bad 1 'no/such/x\.fur\.json: ' preset tetra.obj -o no/such/x.fur.json
+[ ! -e never.glb ] && [ ! -e long.fur.json ] || fail "a refused preset wrote a file"
 
 # Render.
 json 'j.width === 96 && j.height === 64' 'j.hairsTotal > 1000' 'j.hairsDrawn <= j.hairsTotal' \

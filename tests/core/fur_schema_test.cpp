@@ -1,4 +1,4 @@
-// fur_schema_test.cpp -- assets/fur.schema.json says what the coat table says.
+// fur_schema_test.cpp -- assets/*.schema.json say what the coat table and the readers say.
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -7,9 +7,12 @@
 
 #include "core/animal.h"
 #include "core/coat.h"
+#include "core/embedded.h"
 #include "core/gltf_in.h"
 #include "core/gltf_out.h"
+#include "core/preset_file.h"
 #include "gtest/gtest.h"
+#include "reading.h"
 
 namespace pelage {
 namespace {
@@ -17,9 +20,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kPath = PELAGE_SOURCE_DIR "/assets/fur.schema.json";
+constexpr const char* kPresetPath = PELAGE_SOURCE_DIR "/assets/preset.schema.json";
 
-std::string schemaText() {
-    std::ifstream file(kPath);
+std::string schemaText(const char* path = kPath) {
+    std::ifstream file(path);
     std::stringstream text;
     text << file.rdbuf();
     return text.str();
@@ -103,6 +107,10 @@ Json wantedSchema() {
 // The part of JSON Schema that the file uses; empty when the value fits, else where it does not.
 std::string misfit(const Json& root, const Json& schema, const Json& value,
                    const std::string& place) {
+    if (schema.contains("$ref") && schema["$ref"] == "fur.schema.json") {
+        const Json fur = Json::parse(schemaText());
+        return misfit(fur, fur, value, place);
+    }
     if (schema.contains("$ref")) return misfit(root, root["$defs"]["coat"], value, place);
     const std::string type = schema.at("type");
     if ((type == "object" && !value.is_object()) || (type == "array" && !value.is_array()) ||
@@ -113,6 +121,9 @@ std::string misfit(const Json& root, const Json& schema, const Json& value,
     if (schema.contains("enum") &&
         std::find(schema["enum"].begin(), schema["enum"].end(), value) == schema["enum"].end())
         return place + " is not in the list";
+    if (schema.contains("maxLength") &&
+        value.get<std::string>().size() > schema["maxLength"].get<std::size_t>())
+        return place + " is too long";
     if (schema.contains("minimum") && value < schema["minimum"]) return place + " is too small";
     if (schema.contains("maximum") && value > schema["maximum"]) return place + " is too large";
     if (type == "array") {
@@ -159,6 +170,32 @@ TEST(FurSchema, RefusesAValueOutsideTheRangeOfItsRow) {
             Json& entry = bad["over"][row.name];
             (row.components() == 1 ? entry : entry[1]) = value;
             EXPECT_NE(misfit(schema, schema, bad, "fur"), "") << row.name << " " << value;
+        }
+    }
+}
+
+TEST(PresetSchema, AcceptsEveryFileTheProgramWrites) {
+    const Json schema = Json::parse(schemaText(kPresetPath));
+    for (Preset preset : presets()) {
+        preset.author = "Ann";
+        preset.seeded = preset.name == "mink";
+        preset.thumbnail = test::bytesOf("\xFF\xD8\xFF");
+        EXPECT_EQ(misfit(schema, schema, Json::parse(presetText(preset)), "preset"), "");
+    }
+    for (const auto& file : embeddedPresets())
+        EXPECT_EQ(misfit(schema, schema, Json::parse(file.text), std::string(file.name)), "");
+}
+
+TEST(PresetSchema, HasTheBoundsOfTheReader) {
+    const Json schema = Json::parse(schemaText(kPresetPath));
+    for (const char* member : {"name", "author", "note"}) {
+        const std::size_t most = schema["properties"][member]["maxLength"];
+        for (const std::size_t bytes : {most, most + 1}) {
+            const Json json{{member, std::string(bytes, 'x')}, {"fur", {{"version", 1}}}};
+            const std::string read =
+                test::refusal([&] { presetFromText(json.dump(), "w.fur.json"); });
+            EXPECT_EQ(read == "(not refused)", bytes == most) << read;
+            EXPECT_EQ(misfit(schema, schema, json, "w").empty(), bytes == most);
         }
     }
 }

@@ -28,7 +28,8 @@ bool touchesFiles(std::string_view line) {
     const std::size_t first = line.find_first_not_of(" \t\r");
     if (first == std::string_view::npos) return false;
     line.remove_prefix(first);
-    return line.starts_with("open") || line.starts_with("save") || line.starts_with("animal");
+    return line.starts_with("open") || line.starts_with("save") || line.starts_with("animal") ||
+           (line.starts_with("preset") && line.find('.') != line.npos);
 }
 
 }  // namespace

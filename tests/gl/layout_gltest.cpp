@@ -124,8 +124,8 @@ const std::vector<Field> kFur{FIELD(Fur, over.ambient),
                               FIELD(Fur, gusts),
                               FIELD(Fur, gustRate),
                               FIELD(Fur, gustSize),
-                              FIELD(Fur, pad0),
-                              FIELD(Fur, pad1)};
+                              FIELD(Fur, skinColor),
+                              FIELD(Fur, pad0)};
 const std::vector<Field> kStrand{
     FIELD(Strand, origin),   FIELD(Strand, spineLength), FIELD(Strand, weightless),
     FIELD(Strand, width),    FIELD(Strand, end),         FIELD(Strand, scale),

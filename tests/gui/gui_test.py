@@ -48,6 +48,7 @@ class Editor:
         self.environment = dict(
             os.environ, DISPLAY=display.name, PELAGE_TRACE="1", HOME=folder,
             XDG_STATE_HOME=os.path.join(folder, "state"),
+            XDG_DATA_HOME=os.path.join(folder, "data"),
             XDG_CONFIG_HOME=os.path.join(folder, "config"))
         for unwanted in ("WAYLAND_DISPLAY", "PELAGE_SCALE"):
             self.environment.pop(unwanted, None)
@@ -451,6 +452,57 @@ class EditorInAWindow(WindowTest):
         editor.key("ctrl+z")
         editor.expect("undo Share of overcoat")
         self.assertEqual(editor.close(), 0)
+
+    def click(self, editor, *places):
+        for x, y in places:
+            editor.do("mousemove", x, y, "sleep", "0.5", "click", 1, "sleep", "1")
+
+    def test_a_saved_preset_is_put_on_again_and_needs_no_file_afterwards(self):
+        editor = self.start(self.mesh)
+        editor.ready()
+        self.click(editor, (1218, 133))
+        editor.do("type", "--delay", "30", "mine")
+        time.sleep(1)
+        editor.key("Return")
+        self.assertEqual(editor.expect("kept"), "mine")
+        editor.expect("pictures")
+        folder = os.path.join(editor.folder, "data", "pelage", "presets")
+        with open(os.path.join(folder, "mine.fur.json")) as file:
+            mine = json.load(file)
+        self.assertTrue(mine["thumbnail"].startswith("data:image/jpeg;base64,"))
+
+        # The list: one's own at the top, the program's below it.
+        mink, own = (995, 480), (898, 220)
+        self.click(editor, (1050, 133))
+        editor.expect("pictures")
+        self.shoot("presets.png")
+        self.click(editor, mink)
+        self.assertEqual(editor.expect("commit"), "Preset mink")
+        self.click(editor, (1050, 133), own)
+        self.assertEqual(editor.expect("commit"), "Preset mine")
+        editor.key("ctrl+z")
+        self.assertEqual(editor.expect("undo"), "Preset mine")
+
+        dropped = self.path("other.fur.json")
+        mine["fur"]["over"]["stiffness"] = 0.125
+        mine["name"] = "other"
+        with open(dropped, "w") as file:
+            json.dump(mine, file)
+        xdnd.drop(self.display.name, editor.window(), dropped)
+        self.assertEqual(editor.expect("commit"), "Preset other")
+        time.sleep(2)  # until the window is drawn again
+        self.click(editor, (1012, 163))
+        self.assertEqual(editor.expect("kept"), "other")
+        self.assertEqual(sorted(os.listdir(folder)), ["mine.fur.json", "other.fur.json"])
+
+        lines = editor.journal()
+        self.assertIn("over.stiffness 0.125", lines)
+        shutil.rmtree(folder)
+        os.remove(dropped)
+        again = self.restore(editor)
+        saved = again.save(self.path("worn.glb"))
+        self.assertEqual(again.close(), 0)
+        self.assertReplayGives(lines, saved)
 
     def test_unsaved_work_is_asked_about(self):
         editor = self.start()
