@@ -8,7 +8,7 @@ import gui_test
 # Places in a window of 1280 by 720.
 PX = (175, 356)  # the button beside the radius
 CLEAR, FILL = (101, 494), (162, 494)  # of the mask, below the falloff
-STRING = (110, 648)  # the bar of the stabiliser, with a brush that has a value
+STRING = (110, 683)  # the bar of the stabiliser, with a brush that has a value
 REGIONS = (1228, 80)  # the tab
 WHERE, LASSO = (1060, 134), (1000, 303)  # the list and its last entry
 DRAW, APPLY = (1115, 162), (1115, 335)  # with a lasso chosen
@@ -74,6 +74,7 @@ class Hand(gui_test.WindowTest):
         editor.expect("undo Length")
         editor.key("ctrl+shift+z")
         editor.expect("redo")
+        time.sleep(2)  # until the picture rests and the dialog comes at once
         lines = editor.journal()
         saved = editor.save(self.path("line.glb"))
         self.assertEqual(editor.close(), 0)
@@ -213,8 +214,8 @@ class Hand(gui_test.WindowTest):
 
     def drawString(self, editor):
         """Drags the bar of the stabiliser."""
-        editor.do("mousemove", *STRING, "sleep", "0.3", "mousedown", 1, "sleep", "0.2", "mousemove",
-                  STRING[0] + 12, STRING[1], "sleep", "0.5", "mouseup", 1, "sleep", "0.5")
+        editor.do("mousemove", *STRING, "sleep", "1", "mousedown", 1, "sleep", "1", "mousemove",
+                  STRING[0] + 12, STRING[1], "sleep", "1", "mouseup", 1, "sleep", "1")
 
 
 if __name__ == "__main__":
