@@ -2,6 +2,7 @@
 #include <GLFW/glfw3.h>
 
 #include "app/actions.h"
+#include "app/view_actions.h"
 
 namespace pelage {
 namespace {

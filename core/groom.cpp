@@ -67,7 +67,7 @@ Groom evenGroom(const Skin& skin, const FurVertex& fur) {
     if (source.segments.empty()) return groom;
     groom.segments = {skin.source, &source.segments};
     if (source.segmentOf.empty()) return groom;
-    const std::vector<uint> first = firstSourceVertex(skin);
+    const std::vector<uint>& first = skin.sourceOf;
     for (uint v = 0; v < count; ++v) {
         const uint segment = source.segmentOf[first[v]];
         if (segment < source.segments.size()) groom.segmentOf.edit(v) = segment;

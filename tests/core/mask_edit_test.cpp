@@ -143,7 +143,7 @@ TEST(MaskEdit, RefusesInOneLineAndChangesNothing) {
         {"mask grow 0", "from 1 to 1000"},
         {"mask from", "there are all"},
         {"mask invert 2", "does not expect"},
-        {"mask from segment none", "none"},
+        {"mask from segment none", "no body segments"},
         {"mask from grow", "there are all"},
         {"mask from all : length scale 2", "does not expect"},
     };

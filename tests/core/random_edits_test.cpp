@@ -140,7 +140,7 @@ std::string randomLine(const Fur& fur, Draws& draws) {
     if (kind < 16)
         return "preset " + presets()[draws.below(static_cast<uint>(presets().size()))].name;
     if (kind < 17) return "comb head-to-tail weight" + number(draws.in(0.0f, 1.0f));
-    return "segment " + anyOf(draws, {"head", "left flank", "right"}) +
+    return "segment " + anyOf(draws, {"head", "left%20flank", "right"}) +
            (draws.below(2) ? " axis" + numbers(draws.inBox(1.0f) + vec3(1.5f, 0, 0)) : "") +
            " weight" + number(draws.in(0.0f, 1.0f));
 }
