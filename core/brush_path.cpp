@@ -10,6 +10,7 @@ namespace pelage {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr float kBent = 0.05f;  // of the radius
 
 // The space whose planes are mirrors: that of the mesh where all the skin is in one, else the
 // world.
@@ -91,14 +92,26 @@ void PathImage::advance(const SkinQuery& query, const PathPoint& to, bool alongS
     heading_ = length_ > 0.0 ? (end_ - start_) / static_cast<float>(length_) : vec3(0.0f);
     startGap_ = gapOf(from_);
     endGap_ = gapOf(to_);
-    std::swap(fromStart_, fromEnd_);
-    fromEnd_.clear();
-    if (!goesOn) fromStart_.clear();
-    if (!alongSurface || !(endGap_ < static_cast<double>(radius))) return;
+    if (!goesOn) forget();
+    if (!alongSurface) return;
+    if (!(endGap_ < static_cast<double>(radius))) return forget();
+    if (open_ && glm::distance(*open_, end_) <= kLongestPiece * radius) return;
     // What is within the radius of a piece is so far from its ends.
-    const float reach =
-        std::hypot(radius, std::max(static_cast<float>(length_), kLongestPiece * radius));
+    const float reach = (1.0f + kLongestPiece) * radius;
+    std::swap(fromStart_, fromEnd_);
     fromEnd_.measure(query, *to_.foot, reach);
+    const bool startIsOpen = open_.has_value();
+    open_.reset();
+    if (fromEnd_.longestDetour() <= static_cast<double>(kBent * radius))
+        open_ = end_;
+    else if (startIsOpen)
+        fromStart_.measure(query, *from_.foot, reach);
+}
+
+void PathImage::forget() {
+    open_.reset();
+    fromStart_.clear();
+    fromEnd_.clear();
 }
 
 // m from the skin to the point of the piece at x.
@@ -112,10 +125,13 @@ double PathImage::gapAt(double x) const {
 // only one is known, because the other end is too far away, the vertex is beyond the near end, and
 // how far to the side can be seen from where it is in space.
 Beside PathImage::beside(const SkinVertex& vertex, uint v) const {
-    if (!alongSurface_) {
+    if (!alongSurface_ || open_) {
         const vec3 away = vertex.position - start_;
         const float x = glm::dot(away, heading_);
-        return {x, glm::length(away - x * heading_)};
+        const float side = glm::length(away - x * heading_);
+        if (!alongSurface_) return {x, side};
+        if (!(fromEnd_.to(v) < kInfinite)) return {x, kInfinite};
+        return {x, std::hypot(static_cast<double>(side), gapAt(x))};
     }
     const double a = fromStart_.to(v), b = fromEnd_.to(v);
     if (!(std::min(a, b) < kInfinite)) return {0.0, kInfinite};

@@ -52,7 +52,9 @@ public:
 
     // Goes on to the next point. With `alongSurface` it measures along the skin how far vertices
     // within `radius` of the piece are, and then the point counts as far from them as it is from
-    // its foot.
+    // its foot. On open skin, where the way along it is nowhere longer than the straight line by
+    // more than 5 % of the radius, a measurement serves a third of the radius, and the straight line
+    // counts.
     void advance(const SkinQuery& query, const PathPoint& to, bool alongSurface, float radius);
 
     const PathPoint& from() const { return from_; }
@@ -62,6 +64,7 @@ public:
     Beside beside(const SkinVertex& vertex, uint v) const;
 
 private:
+    void forget();
     double gapAt(double x) const;
 
     bool turned_;
@@ -70,6 +73,7 @@ private:
     double length_ = 0.0;
     vec3 start_{0.0f}, end_{0.0f}, heading_{0.0f};  // of the piece; on the skin when along it
     double startGap_ = 0.0, endGap_ = 0.0;          // m from the points to their feet
+    std::optional<vec3> open_;  // m, world; the middle of open skin, to which fromEnd_ belongs then
     SurfaceDistance fromStart_, fromEnd_;
 };
 

@@ -127,6 +127,7 @@ void SurfaceDistance::measure(const SkinQuery& query, const SkinHit& from, float
     assert(reach > 0.0f);
     query_ = &query;
     reach_ = reach;
+    from_ = from.position;
     queue_ = 0;
     queues_.resize(kQueues + 1);
     clear();
@@ -149,6 +150,16 @@ double SurfaceDistance::to(uint v) const {
     const Slot slot = slots_[slotOf(v)];
     if (slot.vertex != v || nodes_[slot.node].distance > reach_) return kInfinite;
     return nodes_[slot.node].distance;
+}
+
+double SurfaceDistance::longestDetour() const {
+    double longest = 0.0;
+    for (const Node& node : nodes_) {
+        if (!(node.distance <= reach_)) continue;
+        const double straight = static_cast<double>(glm::distance(node.position, from_));
+        longest = std::max(longest, node.distance - straight);
+    }
+    return longest;
 }
 
 }  // namespace pelage

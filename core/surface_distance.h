@@ -24,6 +24,8 @@ public:
 
     // m from the point to vertex v; infinite when that is beyond the reach or no way leads there.
     double to(uint v) const;
+    // m by which the way along the skin is longer than the straight line, at most, within the reach.
+    double longestDetour() const;
 
 private:
     struct Node {
@@ -48,6 +50,7 @@ private:
 
     const SkinQuery* query_ = nullptr;
     double reach_ = 0.0;
+    vec3 from_{0.0f};  // m, world
     std::vector<Node> nodes_;
     std::vector<Slot> slots_;                // hash table of nodes by vertex
     std::vector<std::vector<uint>> queues_;  // nodes that wait, by distance; the last: beyond reach

@@ -109,6 +109,24 @@ TEST(SurfaceDistance, GoesRoundAnEdgeAsIfTheSkinWereUnfolded) {
     }
 }
 
+TEST(SurfaceDistance, LongestDetourIsNoneOnAPlaneAndThatOfTheFarthestPairOverAnEdge) {
+    const Measured flat(irregularSheet(40, 3), {-0.1f, 0.0f, 0.05f}, 0.3f);
+    EXPECT_NEAR(flat.distance.longestDetour(), 0.0, 1e-6);
+    Source source = irregularSheet(40, 3);
+    for (vec3& p : source.positions)
+        if (p.x > 0.0f) p = {0.0f, -p.x, p.z};
+    const Measured folded(std::move(source), {-0.1f, 0.0f, 0.05f}, 0.3f);
+    double longest = 0.0;
+    for (const SkinVertex& vertex : folded.skin->vertices) {
+        const vec3 p = vertex.position;
+        const double along = glm::distance(vec3(p.x - p.y, 0.0f, p.z), folded.from);
+        if (along < 0.3)
+            longest = std::max(longest, along - double{glm::distance(p, folded.from)});
+    }
+    EXPECT_GT(longest, 0.05);
+    EXPECT_NEAR(folded.distance.longestDetour(), longest, 1e-6);
+}
+
 TEST(SurfaceDistance, LeavesTheOtherSheetAndWhatIsBeyondTheReachAlone) {
     const Measured measured(test::twoSheets(30, 0.004f), {0, 0.002f, 0}, 0.2f, {0, 1, 0});
     std::size_t reached = 0;
