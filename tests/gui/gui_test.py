@@ -417,7 +417,7 @@ class EditorInAWindow(WindowTest):
         editor = self.start(coarse)
         editor.ready()
         # Mesh, Subdivide...
-        for x, y in ((156, 12), (176, 41)):
+        for x, y in ((205, 12), (225, 41)):
             editor.do("mousemove", x, y, "sleep", "0.5", "click", 1, "sleep", "1")
         editor.expect("asked subdivide")
         time.sleep(1)

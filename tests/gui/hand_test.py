@@ -6,9 +6,9 @@ import unittest
 import gui_test
 
 # Places in a window of 1280 by 720.
-PX = (175, 356)  # the button beside the radius
-CLEAR, FILL = (101, 494), (162, 494)  # of the mask, below the falloff
-STRING = (110, 683)  # the bar of the stabiliser, with a brush that has a value
+PX = (175, 390)  # the button beside the radius
+CLEAR, FILL = (101, 527), (162, 527)  # of the mask, below the falloff
+STRING = (110, 600)  # the bar of the stabiliser, with the panel at its end
 REGIONS = (1228, 80)  # the tab
 WHERE, LASSO = (1060, 134), (1000, 303)  # the list and its last entry
 DRAW, APPLY = (1115, 162), (1115, 335)  # with a lasso chosen
@@ -214,6 +214,8 @@ class Hand(gui_test.WindowTest):
 
     def drawString(self, editor):
         """Drags the bar of the stabiliser."""
+        editor.do("mousemove", 100, 600, "sleep", "0.5", "click", "--repeat", 30, 5, "sleep", "2")
+        self.shoot("panel-end.png")
         editor.do("mousemove", *STRING, "sleep", "1", "mousedown", 1, "sleep", "1", "mousemove",
                   STRING[0] + 12, STRING[1], "sleep", "1", "mouseup", 1, "sleep", "1")
 
