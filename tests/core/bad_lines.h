@@ -19,7 +19,7 @@ inline void expectRefused(std::span<const BadLine> lines) {
     workspace.open(evenDocument(ball(1)));
     const Document before = workspace.editor->document();
     for (const auto& [line, says] : lines) {
-        const std::string error = refusal([&] { runLine(workspace, line); });
+        const std::string error = refusal([&, &text = line] { runLine(workspace, text); });
         EXPECT_NE(error.find(says), std::string::npos) << line << ": " << error;
         EXPECT_EQ(error.find('\n'), std::string::npos) << error;
     }
