@@ -28,10 +28,9 @@ void renameSegment(Groom& groom, uint segment, const std::string& name);
 // Its vertices belong to no segment afterwards; those behind it in the list move up.
 void removeSegment(Groom& groom, uint segment);
 
-// What the Segment brush does. It gives its segment (none where it names
-// none), or with subtract the one that the vertex has
-// in the source (none where that was removed), to vertices whose coverage is at least 1 - strength:
-// by half strength to where the falloff is a half. There is nothing between one segment and
+// What the Segment brush does. It gives its segment (none where it names none), or with subtract the
+// one that the vertex has in the source (none where that was removed), to vertices whose coverage is
+// at least 1 - strength: by half strength to where the falloff is a half. There is nothing between one segment and
 // another, so a mask below a half does not hold back.
 class SegmentPaint {
 public:

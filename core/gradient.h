@@ -29,8 +29,9 @@ void applyGradient(const Skin& skin, Groom& groom, const Gradient& gradient);
 // numbers in place of the one after each point.
 std::string gradientLine(const Gradient& gradient);
 
-// Runs what follows the first word of such a line, as one step of history. `skin` is the editor's as
-// it stands. Throws std::runtime_error with what is wrong in the line; the document is then as before it.
+// Runs what follows the first word of such a line, as one step of history. `skin` is the editor's
+// as it stands. Throws std::runtime_error with what is wrong in the line; the document is then as
+// before it.
 void runGradient(const Skin& skin, Editor& editor, Words& words);
 
 }  // namespace pelage
