@@ -86,7 +86,6 @@ TEST(HardHair, LengthsThatAreNoneGrowNothing) {
 
 // Numbers that no file may hold, since reading checks ranges; strand.glsl promises to stand them.
 TEST(HardHair, EveryFieldOfACoatMayBeAnything) {
-    Worst worst;
     for (const Parameter& row : coatParameters())
         for (const Parameter& other : coatParameters()) {
             if (row.kind != ParameterKind::scalar || other.kind != ParameterKind::scalar) continue;
