@@ -46,7 +46,8 @@ glm::ivec3 cornerOf(glm::ivec3 cell, std::size_t c) {
     return cell + glm::ivec3(c & 1 ? 1 : 0, c & 2 ? 1 : 0, c & 4 ? 1 : 0);
 }
 
-// a + share x (b - a): exactly a where both are the same.
+}  // namespace
+
 FurVertex towards(const FurVertex& a, const FurVertex& b, float share) {
     FurVertex mixed = a;
     mixed.furLength += share * (b.furLength - a.furLength);
@@ -55,8 +56,6 @@ FurVertex towards(const FurVertex& a, const FurVertex& b, float share) {
     mixed.tint += share * (b.tint - a.tint);
     return mixed;
 }
-
-}  // namespace
 
 void Averages::Sum::add(double share, const Sum& other) {
     weight += share * other.weight;

@@ -18,6 +18,9 @@
 
 namespace pelage {
 
+// a + share x (b - a), channel by channel: what is the same in both keeps its bits.
+FurVertex towards(const FurVertex& a, const FurVertex& b, float share);
+
 class Averages {
 public:
     // Of the groom as it was; `reach` in m, world, > 0. `query` must outlive this.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
@@ -15,10 +14,8 @@ namespace {
 
 // N of "N", if there is a segment at that place.
 uint placeFrom(std::string_view text, std::size_t count) {
-    uint number = kNoSegment;
-    const char* end = text.data() + text.size();
-    const auto [stopped, error] = std::from_chars(text.data(), end, number);
-    return error == std::errc{} && stopped == end && number < count ? number : kNoSegment;
+    const auto number = wholeFromText(text);
+    return number && *number < count ? *number : kNoSegment;
 }
 
 uint firstOfName(std::span<const Segment> body, std::string_view name) {

@@ -30,8 +30,8 @@ void removeSegment(Groom& groom, uint segment);
 
 // What the Segment brush does. It gives its segment (none where it names none), or with subtract the
 // one that the vertex has in the source (none where that was removed), to vertices whose coverage is
-// at least 1 - strength: by half strength to where the falloff is a half. There is nothing between one segment and
-// another, so a mask below a half does not hold back.
+// at least 1 - strength: by half strength to where the falloff is a half. There is nothing between
+// one segment and another, so a mask below a half does not hold back.
 class SegmentPaint {
 public:
     // Throws std::runtime_error when the groom has no segment of the brush's name.

@@ -29,17 +29,6 @@ float facingWeight(vec3 vertexNormal, vec3 cursorNormal) {
     return glm::smoothstep(0.0f, kFacingRamp, glm::dot(vertexNormal, cursorNormal));
 }
 
-vec3 unitOrZero(vec3 v) {
-    const float length = glm::length(v);
-    return length > 0.0f && std::isfinite(length) ? v / length : vec3(0.0f);
-}
-
-// Writes a vertex unless it holds these values already: writing may copy a chunk.
-void writeVertex(Groom& groom, uint v, const FurVertex& fur, float mask) {
-    if (!(groom.fur[v] == fur)) groom.fur.edit(v) = fur;
-    if (groom.mask[v] != mask) groom.mask.edit(v) = mask;
-}
-
 }  // namespace
 
 float falloffWeight(Falloff falloff, float distance, float radius) {
@@ -62,13 +51,14 @@ Stroke::Stroke(const SkinQuery& query, Groom before, Brush brush)
     : query_(&query),
       before_(std::move(before)),
       brush_(brush),
+      radius_(workingRadius(query.skin(), brush)),
       touched_(query.skin().vertices.size(), Touch{}),
-      mirrorings_(mirrorings(query.skin(), brush.mirror)) {
+      mirrorings_(mirrorings(query.skin(), brush.mirror)),
+      images_(mirrorings_.size()) {
     assert(brush.radius > 0.0f && brush.strength >= 0.0f && brush.strength <= 1.0f);
     assert(before_.fur.size() == query.skin().vertices.size());
     assert(before_.mask.size() == query.skin().vertices.size());
-    for (const Mirroring& mirroring : mirrorings_) images_.emplace_back(mirroring.turned);
-    if (brush.tool == Tool::smooth) averages_.emplace(query, before_, kSmoothReach * radius());
+    if (brush.tool == Tool::smooth) averages_.emplace(query, before_, kSmoothReach * radius_);
     if (brush.tool == Tool::segment) segments_.emplace(query.skin(), before_, brush_);
 }
 
@@ -85,7 +75,7 @@ void Stroke::dab(Groom& groom, vec3 position, vec3 normal, float pressure) {
 
     const float length = glm::distance(from.position, to.position);
     const int pieces =
-        std::max(1, static_cast<int>(std::ceil(length / (kLongestPiece * radius()))));
+        std::max(1, static_cast<int>(std::ceil(length / (kLongestPiece * radius_))));
     PathPoint begin = from;
     for (int k = 1; k <= pieces; ++k) {
         const float t = static_cast<float>(k) / static_cast<float>(pieces);
@@ -98,8 +88,6 @@ void Stroke::dab(Groom& groom, vec3 position, vec3 normal, float pressure) {
     }
 }
 
-float Stroke::radius() const { return workingRadius(query_->skin(), brush_); }
-
 // All images go on to the next point.
 void Stroke::advance(Groom& groom, const PathPoint& from, const PathPoint& to) {
     const std::vector<CombStep> steps = combSteps(from.position, to.position);
@@ -108,7 +96,7 @@ void Stroke::advance(Groom& groom, const PathPoint& from, const PathPoint& to) {
     for (std::size_t i = 0; i < images_.size(); ++i) {
         const PathPoint image =
             i == 0 ? own : imageOf(*query_, own, mirrorings_[i].matrix, brush_.facingOnly);
-        images_[i].advance(*query_, image, brush_.alongSurface, radius());
+        images_[i].advance(*query_, image, brush_.alongSurface, radius_);
         cover(groom, i, steps);
     }
 }
@@ -116,7 +104,7 @@ void Stroke::advance(Groom& groom, const PathPoint& from, const PathPoint& to) {
 std::vector<Stroke::CombStep> Stroke::combSteps(vec3 from, vec3 to) {
     std::vector<CombStep> steps;
     if (brush_.tool != Tool::comb) return steps;
-    const double spacing = kCombStep * radius();
+    const double spacing = kCombStep * radius_;
     const double length = glm::distance(glm::dvec3(from), glm::dvec3(to));
     double next = spacing - sinceStep_;
     for (; next <= length; next += spacing) {
@@ -132,11 +120,9 @@ std::vector<Stroke::CombStep> Stroke::combSteps(vec3 from, vec3 to) {
 void Stroke::cover(Groom& groom, std::size_t image, const std::vector<CombStep>& steps) {
     const Skin& skin = query_->skin();
     const PathImage& path = images_[image];
-    const bool feet = brush_.alongSurface && path.from().foot && path.to().foot;
-    const vec3 from = feet ? path.from().foot->position : path.from().position;
-    const vec3 to = feet ? path.to().foot->position : path.to().position;
+    const vec3 from = path.start(), to = path.end();
     found_.clear();
-    query_->within(0.5f * (from + to), radius() + 0.5f * glm::distance(from, to), found_);
+    query_->within(0.5f * (from + to), radius_ + 0.5f * glm::distance(from, to), found_);
     for (const uint v : found_) {
         Touch touched = touched_[v];
         if (!touch(v, image, steps, touched)) continue;
@@ -162,13 +148,13 @@ Touching Stroke::touching(uint v, const Touch& touched) {
 // The largest falloff x pressure along the last piece of the image.
 float Stroke::coverage(const PathImage& image, const Beside& place) const {
     const float first = image.from().pressure, last = image.to().pressure;
-    const double length = image.length(), reach = static_cast<double>(radius());
+    const double length = image.length(), reach = static_cast<double>(radius_);
     const auto pressure = [&](double along) {
         return length > 0.0 ? glm::mix(first, last, static_cast<float>(along / length)) : last;
     };
     const auto at = [&](double along) {
         return pressure(along) *
-               falloffWeight(brush_.falloff, static_cast<float>(place.distance(along)), radius());
+               falloffWeight(brush_.falloff, static_cast<float>(place.distance(along)), radius_);
     };
     if (first == last || !(place.y < reach)) return at(std::clamp(place.x, 0.0, length));
     // The stretch within the radius. There both factors are log-concave, so that their product has
@@ -205,20 +191,21 @@ bool Stroke::touch(uint v, std::size_t image, const std::vector<CombStep>& steps
     const SkinVertex& vertex = query_->skin().vertices[v];
     const PathImage& path = images_[image];
     const Beside place = path.beside(vertex, v);
+    if (!(place.y < static_cast<double>(radius_))) return false;
     const double along = std::clamp(place.x, 0.0, path.length());
     const float t = path.length() > 0.0 ? static_cast<float>(along / path.length()) : 1.0f;
-    const vec3 normal = unitOrZero(glm::mix(path.from().normal, path.to().normal, t));
-    const float facing = brush_.facingOnly ? facingWeight(vertex.normal, normal) : 1.0f;
-    if (facing <= 0.0f || !(place.y < static_cast<double>(radius()))) return false;
+    const vec3 normal = glm::mix(path.from().normal, path.to().normal, t);
+    const float facing = brush_.facingOnly ? facingWeight(vertex.normal, unitOrZero(normal)) : 1.0f;
+    if (facing <= 0.0f) return false;
 
     const float covers = facing * coverage(path, place);
-    float& covered = path.turned() ? touched.turned : touched.coverage;
+    float& covered = mirrorings_[image].turned ? touched.turned : touched.coverage;
     bool changed = covers > covered;
     covered = std::max(covered, covers);
     if (toolInfo(brush_.tool).needsPath && covers > 0.0f) {
         const float distance = static_cast<float>(place.distance(along));
         const uint own = 1u << image;
-        const float tie = kTie * radius();
+        const float tie = kTie * radius_;
         const bool nearer =
             distance < touched.nearest - tie || (touched.ties == own && distance < touched.nearest);
         const bool tied = !nearer && distance <= touched.nearest + tie && !(touched.ties & own);
@@ -235,7 +222,7 @@ bool Stroke::touch(uint v, std::size_t image, const std::vector<CombStep>& steps
         const float distance = static_cast<float>(place.distance(there));
         const float weight = facing *
                              glm::mix(path.from().pressure, path.to().pressure, step.along) *
-                             falloffWeight(brush_.falloff, distance, radius());
+                             falloffWeight(brush_.falloff, distance, radius_);
         if (weight <= 0.0f) continue;
         touched.combed += weight * (mat3(mirrorings_[image].matrix) * step.direction);
         changed = true;
@@ -249,10 +236,7 @@ std::string Stroke::line() const {
     });
     std::string text = "stroke " + brushText(brush_) + (pressed ? " pressure :" : " :");
     for (const PathPoint& sample : samples_) {
-        text += ' ';
-        for (const float number : {sample.position.x, sample.position.y, sample.position.z,
-                                   sample.normal.x, sample.normal.y, sample.normal.z})
-            text += ' ' + floatText(number);
+        text += "  " + pointText(sample.position) + ' ' + pointText(sample.normal);
         if (pressed) text += ' ' + floatText(sample.pressure);
     }
     return text;
@@ -283,7 +267,7 @@ void reset(const Skin& skin, Groom& groom, Tool tool) {
     const bool tint = tool == Tool::tint || tool == Tool::smooth;
     const bool direction = tool != Tool::mask && tool != Tool::segment &&
                            (tool == Tool::smooth || !(length || density || tint));
-    const Groom first = initialGroom(skin);
+    const Groom first = length || density || direction ? initialGroom(skin) : Groom{};
     std::optional<SegmentPaint> segments;
     if (tool == Tool::segment) segments.emplace(skin, groom);
     for (uint v = 0; v < skin.vertices.size(); ++v) {

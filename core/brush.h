@@ -122,7 +122,6 @@ private:
         vec3 direction{0.0f};  // of the path since the step before, world
     };
 
-    float radius() const;
     void advance(Groom& groom, const PathPoint& from, const PathPoint& to);
     std::vector<CombStep> combSteps(vec3 from, vec3 to);
     void cover(Groom& groom, std::size_t image, const std::vector<CombStep>& steps);
@@ -133,6 +132,7 @@ private:
     const SkinQuery* query_;
     Groom before_;
     Brush brush_;
+    float radius_;                      // m, as it works
     Chunked<Touch> touched_;            // one per skin vertex
     std::optional<Averages> averages_;  // of smooth
     std::vector<Mirroring> mirrorings_;

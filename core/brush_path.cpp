@@ -26,11 +26,6 @@ mat4 ownSpace(const Skin& skin) {
     return std::isfinite(sum) ? toWorld : mat4(1.0f);
 }
 
-vec3 unitOrZero(vec3 v) {
-    const float length = glm::length(v);
-    return length > 0.0f && std::isfinite(length) ? v / length : vec3(0.0f);
-}
-
 // m from a point to its foot.
 double gapOf(const PathPoint& point) {
     return point.foot ? static_cast<double>(glm::distance(point.position, point.foot->position))
@@ -38,6 +33,11 @@ double gapOf(const PathPoint& point) {
 }
 
 }  // namespace
+
+vec3 unitOrZero(vec3 v) {
+    const float length = glm::length(v);
+    return length > 0.0f && std::isfinite(length) ? v / length : vec3(0.0f);
+}
 
 std::vector<Mirroring> mirrorings(const Skin& skin, glm::bvec3 mirror) {
     std::vector<Mirroring> images{{}};

@@ -19,6 +19,9 @@ struct PathPoint {
     std::optional<SkinHit> foot{};  // the nearest place of the skin
 };
 
+// Zero for what has no direction.
+vec3 unitOrZero(vec3 v);
+
 struct Mirroring {
     mat4 matrix{1.0f};    // world
     bool turned = false;  // left and right are exchanged
@@ -48,8 +51,6 @@ struct Beside {
 // One image of a path, the last piece of it: short, so that it counts as straight.
 class PathImage {
 public:
-    explicit PathImage(bool turned) : turned_(turned) {}
-
     // Goes on to the next point. With `alongSurface` it measures along the skin how far vertices
     // within `radius` of the piece are, and then the point counts as far from them as it is from
     // its foot. On open skin, where the way along it is nowhere longer than the straight line by
@@ -59,15 +60,15 @@ public:
 
     const PathPoint& from() const { return from_; }
     const PathPoint& to() const { return to_; }
+    vec3 start() const { return start_; }  // of the piece; on the skin when along it
+    vec3 end() const { return end_; }
     double length() const { return length_; }  // m
-    bool turned() const { return turned_; }    // its left is the path's right
     Beside beside(const SkinVertex& vertex, uint v) const;
 
 private:
     void forget();
     double gapAt(double x) const;
 
-    bool turned_;
     bool begun_ = false, alongSurface_ = true;
     PathPoint from_, to_;
     double length_ = 0.0;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <glm/gtc/quaternion.hpp>
 #include <span>
 
 namespace pelage {

@@ -87,21 +87,21 @@ void FieldWriter::write(const SourcePart& part, FieldValues values, int firstSet
                                  std::to_string(part.primitive) + " has " + std::to_string(count) +
                                  " vertices, its fur " + std::to_string(values.length.size()));
     const Written& fields = written(part, positions, std::move(values), firstSet >= 0);
-    primitiveOf(draft_.json, part)["attributes"]["_FUR_LENGTH"] = fields.length;
-    primitiveOf(draft_.json, part)["attributes"]["_FUR_DENSITY"] = fields.density;
-    primitiveOf(draft_.json, part)["attributes"]["_FUR_DIRECTION"] = fields.direction;
-    if (!fields.values.tint.empty())
-        primitiveOf(draft_.json, part)["attributes"]["_FUR_TINT"] = fields.tint;
-    if (!fields.values.segment.empty())
-        primitiveOf(draft_.json, part)["attributes"]["_FUR_SEGMENT"] = fields.segment;
+    // From here on nothing adds a section to the file, so these stay where they are.
+    OrderedJson& attributes = primitiveOf(draft_.json, part)["attributes"];
+    attributes["_FUR_LENGTH"] = fields.length;
+    attributes["_FUR_DENSITY"] = fields.density;
+    attributes["_FUR_DIRECTION"] = fields.direction;
+    if (!fields.values.tint.empty()) attributes["_FUR_TINT"] = fields.tint;
+    if (!fields.values.segment.empty()) attributes["_FUR_SEGMENT"] = fields.segment;
     // Set numbers have no gaps (glTF 2.0, section 3.7.2.1): the missing ones are zero.
     for (int set = 0; set < firstSet; ++set) {
-        if (primitiveOf(draft_.json, part)["attributes"].contains(texcoord(set))) continue;
+        if (attributes.contains(texcoord(set))) continue;
         const std::size_t accessor = zeros(count);
-        primitiveOf(draft_.json, part)["attributes"][texcoord(set)] = accessor;
+        attributes[texcoord(set)] = accessor;
     }
     for (int k = 0; firstSet >= 0 && k < 3; ++k)
-        primitiveOf(draft_.json, part)["attributes"][texcoord(firstSet + k)] = fields.mirror[k];
+        attributes[texcoord(firstSet + k)] = fields.mirror[k];
 }
 
 int firstMirrorSet(const GlbDraft& draft, const std::vector<SourcePart>& parts) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "edge_cuts.h"
 #include "gltf_carry.h"
 
 namespace pelage {
@@ -112,12 +113,10 @@ OrderedJson primitive(GlbDraft& draft, const Source& source, const Arrays& array
         attributes["TEXCOORD_0"] = addAttribute(draft, source.uvs, part, "texture coordinate");
     if (!arrays.colors.empty())
         attributes["COLOR_0"] = addAttribute(draft, arrays.colors, part, "color");
-    std::vector<uint> indices;
-    indices.reserve(std::size_t{part.triangleCount} * 3);
-    for (uint t = part.firstTriangle; t < part.firstTriangle + part.triangleCount; ++t)
-        for (int k = 0; k < 3; ++k) indices.push_back(source.triangles[t][k] - part.firstVertex);
+    const std::vector<uvec3> triangles = trianglesOf(source, part);
     OrderedJson entry{{"attributes", attributes},
-                      {"indices", appendIndices(draft, indices, "triangles")}};
+                      {"indices", appendIndices(draft, {&triangles.front().x, triangles.size() * 3},
+                                                "triangles")}};
     if (part.material >= 0) entry["material"] = part.material;
     return entry;
 }

@@ -33,6 +33,9 @@ struct GltfFile {
     JsonPlace element(const char* section, std::size_t index) const {
         return root().at(section).at(index);
     }
+    JsonPlace primitive(std::size_t mesh, std::size_t number) const {
+        return element("meshes", mesh).at("primitives").at(number);
+    }
     std::size_t count(const char* section) const {
         const auto list = root().array(section);
         return list ? list->size() : 0;

@@ -154,8 +154,7 @@ void warnMissingFields(GltfFile& file, const Source& source) {
                   {"fur_direction", !source.fur->direction.empty(), "the direction of the normal"},
                   {"fur_tint", !source.fur->tint.empty(), "tint 1"}};
     for (const SourcePart& part : source.parts) {
-        const JsonPlace primitive =
-            file.element("meshes", part.mesh).at("primitives").at(part.primitive);
+        const JsonPlace primitive = file.primitive(part.mesh, part.primitive);
         for (const auto& [name, found, instead] : fields) {
             if (!found || attributeOf(primitive, name)) continue;
             file.warnings.add(primitive.text() + ": has no " + name +
@@ -172,8 +171,7 @@ bool readFurSegments(GltfFile& file, Source& source) {
         source.segments.push_back(segmentFrom(list->at(s)));
     source.segmentOf.assign(source.positions.size(), kNoSegment);
     for (const SourcePart& part : source.parts) {
-        const JsonPlace primitive =
-            file.element("meshes", part.mesh).at("primitives").at(part.primitive);
+        const JsonPlace primitive = file.primitive(part.mesh, part.primitive);
         const auto numbers = field(file, part, primitive, "fur_segment", 1);
         for (uint v = 0; numbers && v < part.vertexCount; ++v) {
             const float number = (*numbers)[v];

@@ -163,7 +163,7 @@ void readTargets(GltfFile& file, const Source& source, const Nodes& nodes, Rig& 
     std::vector<std::size_t> first(file.count("meshes"), kNoNode);  // target of each mesh
     for (const SourcePart& part : source.parts) {
         const JsonPlace mesh = file.element("meshes", part.mesh);
-        const JsonPlace primitive = mesh.at("primitives").at(part.primitive);
+        const JsonPlace primitive = file.primitive(part.mesh, part.primitive);
         const auto targets = primitive.array("targets");
         if (!targets) continue;
         if (first[part.mesh] == kNoNode) {

@@ -3,12 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
-#include <stdexcept>
 
-#include "fur_fields.h"
 #include "glb_uses.h"
 #include "gltf_accessor.h"
 #include "gltf_carry.h"
@@ -29,7 +26,7 @@ struct Writing {
 };
 
 JsonPlace primitiveOf(const Writing& to, const SourcePart& part) {
-    return to.file.element("meshes", part.mesh).at("primitives").at(part.primitive);
+    return to.file.primitive(part.mesh, part.primitive);
 }
 
 OrderedJson& draftOf(Writing& to, const SourcePart& part) {
@@ -60,7 +57,6 @@ std::vector<vec3> threesOf(GltfFile& file, const JsonPlace& attributes, const st
 
 // True for numbers of things, between which there is nothing.
 bool namesThings(const GltfFile& file, const JsonPlace& attributes, const std::string& name) {
-    if (plainAttribute(name) == "FUR_SEGMENT") return true;
     if (!name.starts_with('_')) return false;
     const JsonPlace accessor = file.element("accessors", *attributes.reference(name.c_str()));
     return accessor.json().at("componentType") != kGlFloat && !accessor.boolean("normalized");
@@ -76,9 +72,8 @@ std::size_t put(Writing& to, std::size_t old, const Values& values) {
 }
 
 std::size_t put(Writing& to, std::size_t old, const std::vector<vec3>& values) {
-    Values wide{3, {}};
-    for (const vec3 value : values) wide.of.emplace_back(value, 0.0f);
-    return put(to, old, wide);
+    appendFloats(to.draft, {&values.front().x, values.size() * 3}, 3, "subdivided");
+    return to.replacer.replace(old);
 }
 
 // Carries one attribute of the primitive or of a morph target over.
@@ -232,10 +227,9 @@ void putTargets(Writing& to, const SourcePart& part, const LoopPart& shape) {
 }
 
 void putTriangles(Writing& to, const SourcePart& part, const PartCuts& cuts) {
-    std::vector<uint> corners;
-    corners.reserve(cuts.back().triangles.size() * 3);
-    for (const uvec3 t : cuts.back().triangles) corners.insert(corners.end(), {t.x, t.y, t.z});
-    std::size_t now = appendIndices(to.draft, corners, "triangles");
+    const std::vector<uvec3>& triangles = cuts.back().triangles;
+    std::size_t now =
+        appendIndices(to.draft, {&triangles.front().x, triangles.size() * 3}, "triangles");
     if (const auto old = primitiveOf(to, part).reference("indices"))
         now = to.replacer.replace(*old);
     OrderedJson& primitive = draftOf(to, part);

@@ -34,8 +34,7 @@ End endFrom(Words& words, Tool tool) {
 }
 
 std::string endText(Tool tool, const End& end) {
-    std::string text;
-    for (int i = 0; i < 3; ++i) text += ' ' + floatText(end.place[i]);
+    std::string text = ' ' + pointText(end.place);
     for (int i = 0; i < valuesOf(tool); ++i) text += ' ' + floatText(end.value[i]);
     return text;
 }
@@ -59,10 +58,8 @@ void applyGradient(const Skin& skin, Groom& groom, const Gradient& gradient) {
         const float t = static_cast<float>(glm::clamp(place, 0.0, 1.0));
         brush.color = glm::mix(gradient.start, gradient.end, t);
         brush.value = brush.color.x;
-        const FurVertex fur = brushedFur(skin, groom, brush, v, touching);
-        const float mask = brushedMask(groom, brush, v, touching);
-        if (!(groom.fur[v] == fur)) groom.fur.edit(v) = fur;
-        if (groom.mask[v] != mask) groom.mask.edit(v) = mask;
+        writeVertex(groom, v, brushedFur(skin, groom, brush, v, touching),
+                    brushedMask(groom, brush, v, touching));
     }
 }
 
@@ -80,16 +77,15 @@ void runGradient(const Skin& skin, Editor& editor, Words& words) {
     if (!hasGradient(gradient.tool))
         throw std::runtime_error(std::string(name) +
                                  " has no gradient; length, density, mask and tint have");
-    std::string_view word = words.next();
-    gradient.between = word == "between";
-    if (gradient.between) word = words.next();
-    if (word != "from") throw std::runtime_error("expects from and not " + inQuotes(word));
+    if (Words ahead = words; ahead.next() == "between") {
+        words = ahead;
+        gradient.between = true;
+    }
+    expectWord(words, "from");
     const End from = endFrom(words, gradient.tool);
-    if (word = words.next(); word != "to")
-        throw std::runtime_error("expects to and not " + inQuotes(word));
+    expectWord(words, "to");
     const End to = endFrom(words, gradient.tool);
-    if (!words.done())
-        throw std::runtime_error("does not expect " + inQuotes(words.next()) + " here");
+    expectEnd(words);
     if (from.place == to.place) throw std::runtime_error("both ends are the same point");
     gradient.from = from.place;
     gradient.start = from.value;

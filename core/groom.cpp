@@ -57,6 +57,11 @@ void paintFirst(const Skin& skin, Groom& groom) {
 
 }  // namespace
 
+void writeVertex(Groom& groom, uint v, const FurVertex& fur, float mask) {
+    if (!(groom.fur[v] == fur)) groom.fur.edit(v) = fur;
+    if (groom.mask[v] != mask) groom.mask.edit(v) = mask;
+}
+
 float firstLength(const Skin& skin) { return 0.04f * skin.size(); }
 
 Groom evenGroom(const Skin& skin, const FurVertex& fur) {

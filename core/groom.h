@@ -26,6 +26,9 @@ struct Groom {
     bool operator==(const Groom&) const = default;  // the same chunks, not merely equal values
 };
 
+// Writes a vertex unless it holds these values already: writing may copy a chunk.
+void writeVertex(Groom& groom, uint v, const FurVertex& fur, float mask);
+
 // The channels a brush, a flood or an overlay can name.
 enum class Channel { length, density, direction, mask };
 

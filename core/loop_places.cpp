@@ -2,9 +2,10 @@
 #include "loop_places.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <numeric>
+
+#include "morton.h"
 
 namespace pelage {
 namespace {
@@ -17,18 +18,13 @@ std::vector<vec3> together(std::span<const LoopPart> parts, std::size_t quantity
     return all;
 }
 
-uvec3 bitsOf(vec3 p) {
-    p += 0.0f;  // -0 and 0 are the same place
-    return std::bit_cast<uvec3>(p);
-}
-
 // Separates places whose values differ. Returns how many there are.
 std::size_t refine(std::vector<uint>& place, const std::vector<vec3>& values) {
     std::vector<uint> order(place.size());
     std::iota(order.begin(), order.end(), 0u);
     const auto before = [&](uint a, uint b) {
         if (place[a] != place[b]) return place[a] < place[b];
-        const uvec3 p = bitsOf(values[a]), q = bitsOf(values[b]);
+        const uvec3 p = positionBits(values[a]), q = positionBits(values[b]);
         return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
     };
     std::sort(order.begin(), order.end(), before);

@@ -131,8 +131,7 @@ std::string maskLine(const MaskEdit& change) {
 
 void runMask(const SkinQuery& query, Editor& editor, Words& words) {
     const MaskEdit change = maskEditFrom(words);
-    if (!words.done())
-        throw std::runtime_error("does not expect " + inQuotes(words.next()) + " here");
+    expectEnd(words);
     Groom groom = editor.document().groom;
     applyMaskEdit(query, groom, change);
     editor.edit([&](Document& document) { document.groom = std::move(groom); });

@@ -4,14 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "edge_cuts.h"
+#include "rig.h"
 
 namespace pelage {
 
-struct Influence {
-    uint joint = 0;
-    float weight = 0.0f;
-};
 using Influences = std::vector<Influence>;  // of one vertex
 
 // The same weights with a sum of 1; as they are when they sum to nothing.

@@ -1,11 +1,15 @@
 // morton.h -- places in space to numbers, such that near numbers are near places.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
 #include "types.h"
 
 namespace pelage {
+
+// Equal exactly where places are: -0 and 0 are the same place.
+inline uvec3 positionBits(vec3 p) { return std::bit_cast<uvec3>(p + 0.0f); }
 
 // Spreads the low 21 bits of x so that two zeros follow each.
 inline std::uint64_t spreadBits(std::uint64_t x) {

@@ -107,7 +107,7 @@ std::shared_ptr<const Skin> posedSkin(const std::shared_ptr<const Skin>& rest, c
                           }
                       });
     auto skin = std::make_shared<Skin>(*rest);
-    moveVertices(*skin, places, toWorld);
+    moveVertices(*skin, part, places, toWorld);
     return skin;
 }
 

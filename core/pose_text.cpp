@@ -1,6 +1,5 @@
 // pose_text.cpp -- poses as lines of script.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -42,10 +41,8 @@ int clipNamed(const Skin& skin, std::string_view name) {
     const std::vector<Clip>& clips = rigOf(skin).clips;
     const auto found = std::ranges::find(clips, name, &Clip::name);
     if (found != clips.end()) return static_cast<int>(found - clips.begin());
-    int number = 0;
-    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-    const bool whole = error == std::errc() && end == name.data() + name.size();
-    if (whole && number >= 1 && number <= static_cast<int>(clips.size())) return number - 1;
+    const auto number = wholeFromText(name);
+    if (number && *number >= 1 && *number <= clips.size()) return static_cast<int>(*number) - 1;
     std::string known;
     for (const Clip& clip : clips) known += (known.empty() ? "" : ", ") + inQuotes(clip.name);
     throw std::runtime_error("no clip " + inQuotes(name) + "; " +

@@ -150,7 +150,9 @@ std::string presetPath(const std::string& folder, const OwnPresets& own, const s
 Preset findPreset(std::string_view nameOrFile) {
     const std::string name(nameOrFile);
     if (hasExtension(name, kPresetExtension)) return readPreset(name);
-    return presetNamed(name, ownPresets().presets);
+    // The program's come first, and then nobody's folder is read.
+    const auto known = std::ranges::find(presets(), name, &Preset::name);
+    return known != presets().end() ? *known : presetNamed(name, ownPresets().presets);
 }
 
 }  // namespace pelage

@@ -1,13 +1,12 @@
 // region_edit.cpp -- what an edit of a region does at one vertex.
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <utility>
 
 #include "averages.h"
+#include "morton.h"
 #include "region.h"
 #include "strand.h"
 #include "tools.h"
@@ -17,9 +16,8 @@ namespace {
 
 // In [-1,1), from a place and a seed.
 float drawAt(vec3 place, uint seed) {
-    const auto bits = [](float x) { return std::bit_cast<uint>(x + 0.0f); };  // -0 is 0
-    return 2.0f * rand01(pcg(bits(place.x) ^ pcg(bits(place.y) ^ pcg(bits(place.z) ^ pcg(seed))))) -
-           1.0f;
+    const uvec3 bits = positionBits(place);
+    return 2.0f * rand01(pcg(bits.x ^ pcg(bits.y ^ pcg(bits.z ^ pcg(seed))))) - 1.0f;
 }
 
 // `w`: the share by which the vertex takes part. `mean`: around it, of smooth.

@@ -2,7 +2,6 @@
 #include "region_text.h"
 
 #include <array>
-#include <charconv>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -14,7 +13,7 @@ namespace {
 
 constexpr std::array<const char*, 8> kPlaces{"all",  "sphere", "box",    "segment",
                                              "mask", "narrow", "curved", "lasso"};
-constexpr std::array<const char*, 3> kChannels{"length", "density", "direction"};
+constexpr std::array<const char*, 3> kChannels{"length", "density", "direction"};  // as Channel
 constexpr std::array<const char*, 4> kActs{"scale", "set", "smooth", "randomise"};
 constexpr float kMost = 1e6f;  // m, and of factors; also keeps squares finite
 
@@ -32,12 +31,6 @@ float number(Words& words, std::string_view what, float least, float greatest = 
     return numberAfter(words, what, least, greatest);
 }
 
-void expectWord(Words& words, std::string_view expected) {
-    const std::string_view word = words.next();
-    if (word != expected)
-        throw std::runtime_error("expects " + std::string(expected) + " and not " + inQuotes(word));
-}
-
 // The points of the lasso, up to the first word that is no number, which it returns.
 std::string_view readPolygon(Words& words, std::vector<vec2>& polygon) {
     std::string_view word = words.next();
@@ -49,17 +42,13 @@ std::string_view readPolygon(Words& words, std::vector<vec2>& polygon) {
 }
 
 uint seedFrom(std::string_view word) {
-    uint seed = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), seed);
-    if (error != std::errc{} || end != word.data() + word.size())
-        throw std::runtime_error("seed " + inQuotes(word) + " is no number from 0 to 4294967295");
-    return seed;
+    if (const auto seed = wholeFromText(word)) return *seed;
+    throw std::runtime_error("seed " + inQuotes(word) + " is no number from 0 to 4294967295");
 }
 
 RegionEdit readEdit(Words& words) {
     RegionEdit change;
-    constexpr std::array<Channel, 3> kOrder{Channel::length, Channel::density, Channel::direction};
-    change.channel = kOrder[placeOf(kChannels, words.next(), "channel")];
+    change.channel = static_cast<Channel>(placeOf(kChannels, words.next(), "channel"));
     change.act = static_cast<RegionAct>(placeOf(kActs, words.next(), "operation"));
     if (change.act == RegionAct::scale) {
         change.value = number(words, "scale", 0.0f);
@@ -79,11 +68,7 @@ RegionEdit readEdit(Words& words) {
 
 void add(std::string& text, vec3 numbers) { text += ' ' + pointText(numbers); }
 
-std::string channelName(Channel channel) {
-    return channel == Channel::length    ? "length"
-           : channel == Channel::density ? "density"
-                                         : "direction";
-}
+std::string channelName(Channel channel) { return kChannels[static_cast<std::size_t>(channel)]; }
 
 std::string editText(const RegionEdit& change) {
     std::string text =
@@ -124,12 +109,11 @@ Region regionNamed(std::string_view where, Words& words) {
             region.curvature = number(words, "curved", 0.0f, 1e9f);
             break;
         case Where::lasso: {
-            std::string_view word = words.next();
-            if (word == "eye") {
+            if (Words after = words; after.next() == "eye") {
+                words = after;
                 region.eye = pointAfter(words, "eye");
-                word = words.next();
             }
-            if (word != "view") throw std::runtime_error("expects view and not " + inQuotes(word));
+            expectWord(words, "view");
             for (int i = 0; i < 16; ++i)
                 region.viewProjection[i / 4][i % 4] = number(words, "view", -1e30f, 1e30f);
             expectWord(words, "points");

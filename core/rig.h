@@ -38,7 +38,7 @@ struct Joint {
 };
 
 struct Influence {
-    uint joint = 0;  // into Rig::joints
+    uint joint = 0;  // into Rig::joints, or those of a skin
     float weight = 0.0f;
 };
 

@@ -36,11 +36,6 @@ Editor& editorOf(Workspace& workspace) {
     return *workspace.editor;
 }
 
-void expectEnd(Words& words) {
-    if (!words.done())
-        throw std::runtime_error("does not expect " + inQuotes(words.next()) + " here");
-}
-
 std::string pathOf(Words& words) {
     const std::string path(words.path());
     if (path.empty()) throw std::runtime_error("names no file");
@@ -419,8 +414,7 @@ std::string transferLine(const std::string& path) { return "transfer " + path; }
 std::string floodLine(const Brush& brush, vec3 direction) {
     std::string line = "flood " + toolText(brush);
     if (brush.tool == Tool::comb)
-        line += " direction " + floatText(direction.x) + ' ' + floatText(direction.y) + ' ' +
-                floatText(direction.z);
+        line += " direction " + pointText(direction);
     return line;
 }
 

@@ -56,8 +56,7 @@ std::string toolText(const Brush& brush) {
     if (mode == Mode::set) text += ' ' + floatText(brush.value);
     if (mode == Mode::scale) text += ' ' + floatText(brush.factor);
     if (brush.tool == Tool::tint && mode != Mode::subtract)
-        text += " color " + floatText(brush.color.r) + ' ' + floatText(brush.color.g) + ' ' +
-                floatText(brush.color.b);
+        text += " color " + pointText(brush.color);
     return text + " strength " + floatText(brush.strength);
 }
 
@@ -95,6 +94,17 @@ std::string_view Words::path() {
     rest_.remove_prefix(first);
     if (rest_.ends_with('\r')) rest_.remove_suffix(1);
     return rest_;
+}
+
+void expectEnd(Words& words) {
+    if (!words.done())
+        throw std::runtime_error("does not expect " + inQuotes(words.next()) + " here");
+}
+
+void expectWord(Words& words, std::string_view expected) {
+    const std::string_view word = words.next();
+    if (word != expected)
+        throw std::runtime_error("expects " + std::string(expected) + " and not " + inQuotes(word));
 }
 
 std::string wordText(std::string_view text) {

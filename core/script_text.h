@@ -31,6 +31,10 @@ private:
     std::string_view rest_;
 };
 
+// Throw std::runtime_error unless the line ends here, or this is the next word.
+void expectEnd(Words& words);
+void expectWord(Words& words, std::string_view expected);
+
 // The text as one word, with blanks, control characters and % written as %20 and so on; and back.
 // The latter throws std::runtime_error naming what is no such word.
 std::string wordText(std::string_view text);

@@ -140,9 +140,8 @@ void mixIn(const Skin& skin, Groom& groom, uint v, vec3 direction, float weight)
     const float share = weight * (1.0f - groom.mask[v]);
     if (!(share > 0.0f)) return;
     const FurVertex old = groom.fur[v];
-    FurVertex fur = furToWorld(skin, v, old);
-    fur.direction = shortened(glm::mix(fur.direction, direction, share));
-    const vec3 mixed = shortened(furToMesh(skin, v, fur).direction);
+    const FurVertex fur = furToWorld(skin, v, old);
+    const vec3 mixed = inMesh(skin, v, fur, glm::mix(fur.direction, direction, share));
     // A flattened frame may have no finite answer; and writing what is there would copy a chunk.
     if (finite(mixed) && mixed != old.direction) groom.fur.edit(v).direction = mixed;
 }

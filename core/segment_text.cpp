@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "body.h"
 #include "segment_comb.h"
@@ -15,11 +16,6 @@ namespace {
 constexpr float kMost = 1e12f;  // m; also keeps squares finite
 
 float weightFrom(Words& words) { return numberAfter(words, "weight", 0.0f, 1.0f); }
-
-void expectEnd(Words& words) {
-    if (!words.done())
-        throw std::runtime_error("does not expect " + inQuotes(words.next()) + " here");
-}
 
 uint segmentFrom(const Groom& groom, Words& words) {
     return segmentNamed(groom.body(), textOfWord(words.next()));
@@ -33,8 +29,7 @@ struct Ends {
 Ends endsFrom(Words& words) {
     Ends ends;
     for (const auto& [name, point] : {std::pair("root", &ends.root), std::pair("tip", &ends.tip)}) {
-        if (const std::string_view word = words.next(); word != name)
-            throw std::runtime_error(std::string("expects ") + name + " and not " + inQuotes(word));
+        expectWord(words, name);
         *point = pointAfter(words, name, kMost);
     }
     return ends;

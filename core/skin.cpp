@@ -6,7 +6,6 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cmath>
 #include <numeric>
@@ -21,11 +20,6 @@ namespace pelage {
 namespace {
 
 constexpr uint kNone = ~0u;
-
-uvec3 positionBits(vec3 p) {
-    p += 0.0f;  // -0 and 0 are the same place
-    return {std::bit_cast<uint>(p.x), std::bit_cast<uint>(p.y), std::bit_cast<uint>(p.z)};
-}
 
 // For each source vertex the first source vertex of the same mesh at exactly the same place.
 std::vector<uint> firstAtSamePlace(const Source& source, const std::vector<uint>& part) {
@@ -258,10 +252,11 @@ std::shared_ptr<const Skin> makeSkin(Source source, Progress* progress) {
     return skin;
 }
 
-void moveVertices(Skin& skin, std::span<const vec3> places, std::span<const mat4> toWorld) {
+void moveVertices(Skin& skin, const std::vector<uint>& part, std::span<const vec3> places,
+                  std::span<const mat4> toWorld) {
     assert(places.size() == skin.vertices.size() && toWorld.size() == skin.vertices.size());
     for (std::size_t v = 0; v < places.size(); ++v) skin.vertices[v].position = places[v];
-    assignFrames(skin, partOfVertex(*skin.source), [&](uint v) { return toWorld[v]; });
+    assignFrames(skin, part, [&](uint v) { return toWorld[v]; });
     shapeVertices(skin, false);
     skin.outward = false;  // bent skin may show its inside
 }

@@ -67,9 +67,11 @@ struct Skin {
 // mesh in which non-manifold edges are opened; the skin itself keeps every triangle.
 std::shared_ptr<const Skin> makeSkin(Source source, Progress* progress = nullptr);
 
-// Moves the vertices: places in the world, and the matrices of their vectors from mesh space.
-// Frames, normals and bounds follow; what roots of hair depend on (topology and areas) stays.
-void moveVertices(Skin& skin, std::span<const vec3> places, std::span<const mat4> toWorld);
+// Moves the vertices: places in the world, and the matrices of their vectors from mesh space; `part`
+// is partOfVertex of the source. Frames, normals and bounds follow; what roots of hair depend on
+// (topology and areas) stays.
+void moveVertices(Skin& skin, const std::vector<uint>& part, std::span<const vec3> places,
+                  std::span<const mat4> toWorld);
 
 // The painted values of vertex v, which are kept in the file's mesh space, in the world, and back.
 FurVertex furToWorld(const Skin& skin, uint v, FurVertex inMesh);

@@ -23,6 +23,13 @@ std::optional<float> floatFromText(std::string_view text) {
     return number;
 }
 
+std::optional<std::uint32_t> wholeFromText(std::string_view text) {
+    std::uint32_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return number;
+}
+
 std::string inQuotes(std::string_view text) {
     std::string out = "\"";
     for (const char c : text.substr(0, 80)) {

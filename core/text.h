@@ -1,6 +1,7 @@
 // text.h -- how numbers and foreign words stand in files and in messages.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,9 @@ namespace pelage {
 std::string floatText(float number);
 // Empty unless all of the text is one finite number.
 std::optional<float> floatFromText(std::string_view text);
+
+// Empty unless all of the text is one whole number below 2^32.
+std::optional<std::uint32_t> wholeFromText(std::string_view text);
 
 // A text of a file as it may stand in a message: one line, at most 80 bytes, no control codes.
 std::string inQuotes(std::string_view text);

@@ -74,12 +74,6 @@ float cutTo(const Skin& skin, float before, const Brush& brush, uint v, float sh
     return std::clamp(glm::mix(before, most, share), 0.0f, before);
 }
 
-// In the mesh, of one in the world.
-vec3 inMesh(const Skin& skin, uint v, FurVertex fur, vec3 direction) {
-    fur.direction = shortened(direction);
-    return shortened(furToMesh(skin, v, fur).direction);
-}
-
 vec3 combed(const Skin& skin, const FurVertex& before, const Brush& brush, uint v,
             const Touching& touching, float share) {
     vec3 target = onTangentPlane(touching.path, skin.vertices[v].normal);
@@ -213,19 +207,18 @@ Mode modeOf(const Brush& brush) {
     return offered ? brush.mode : Mode::add;
 }
 
+vec3 inMesh(const Skin& skin, uint v, FurVertex fur, vec3 direction) {
+    fur.direction = shortened(direction);
+    return shortened(furToMesh(skin, v, fur).direction);
+}
+
 float workingRadius(const Skin& skin, const Brush& brush) {
     return std::max(brush.radius, kLeastRadius * skin.size());
 }
 
 FurVertex heldBack(FurVertex after, const FurVertex& before, float held) {
     if (held <= 0.0f) return after;
-    if (held >= 1.0f) return before;
-    // Differences, so that what did not change keeps its bits.
-    after.furLength += held * (before.furLength - after.furLength);
-    after.density += held * (before.density - after.density);
-    after.direction += held * (before.direction - after.direction);
-    after.tint += held * (before.tint - after.tint);
-    return after;
+    return held >= 1.0f ? before : towards(after, before, held);
 }
 
 FurVertex brushedFur(const Skin& skin, const Groom& before, const Brush& brush, uint v,

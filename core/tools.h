@@ -16,6 +16,9 @@ vec3 shortened(vec3 direction);
 // The part of a vector in the tangent plane, as a unit vector; zero where nothing is left of it.
 vec3 onTangentPlane(vec3 vector, vec3 normal);
 
+// The direction, in the world, of hair that is `fur` otherwise, as vertex v keeps it.
+vec3 inMesh(const Skin& skin, uint v, FurVertex fur, vec3 direction);
+
 // How hard a tool works at a vertex.
 struct Touching {
     float coverage = 0.0f;  // [0,1] of the brush, without its strength

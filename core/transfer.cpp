@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "pick.h"
 #include "skin_query.h"
 #include "tools.h"
 
@@ -38,16 +39,9 @@ FurVertex furAt(const Document& from, const SkinHit& hit, vec3 to) {
     const Skin& skin = *from.skin;
     const uvec3 corners = skin.triangles[hit.triangle];
     const float weights[] = {1.0f - hit.u - hit.v, hit.u, hit.v};
-    FurVertex sum{};
+    FurVertex sum = pickedAt(skin, from.groom, hit).fur;
     vec3 normal(0.0f);
-    for (int k = 0; k < 3; ++k) {
-        const FurVertex fur = furToWorld(skin, corners[k], from.groom.fur[corners[k]]);
-        sum.direction += weights[k] * fur.direction;
-        sum.furLength += weights[k] * fur.furLength;
-        sum.tint += weights[k] * fur.tint;
-        sum.density += weights[k] * fur.density;
-        normal += weights[k] * skin.vertices[corners[k]].normal;
-    }
+    for (int k = 0; k < 3; ++k) normal += weights[k] * skin.vertices[corners[k]].normal;
     const float length = glm::length(normal);
     sum.direction = turned(sum.direction, length > 1e-6f ? normal / length : hit.normal, to);
     // What rounding may have added.
