@@ -22,6 +22,7 @@ std::string keyText(int key) {
     if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12)
         return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
     if (key == GLFW_KEY_HOME) return "Home";
+    if (key == GLFW_KEY_SPACE) return "Space";
     if (key == GLFW_KEY_TAB) return "Tab";
     return "?";
 }

@@ -16,8 +16,7 @@ bool open(const App& app) { return app.isOpen(); }
 
 template <Tool tool>
 void chooseTool(App& app) {
-    app.session.tool = tool;
-    if (!fieldOf(tool)) app.session.hand.job = Job::paint;
+    takeTool(app, tool);
 }
 template <Tool tool>
 bool isTool(const App& app) {

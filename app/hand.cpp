@@ -156,13 +156,19 @@ void releaseHand(App& app, const PointerEvent& event) {
     }
 }
 
+void takeTool(App& app, Tool tool) {
+    app.session.tool = tool;
+    if (!fieldOf(tool)) app.session.hand.job = Job::paint;
+}
+
 void pickValue(App& app) {
+    if (app.isOpen()) app.workspace.follow();
     const auto tool = fieldOf(app.session.tool);
     const auto hit = hitAt(app, app.viewport.pointer);
     if (!tool || !hit)
         return tell(app, tool ? "There is no skin under the pointer to pick from."
                               : "This brush sets no value that could be picked.");
-    const Picked picked = pickedAt(*app.workspace.shown(), app.document().groom, *hit);
+    const Picked picked = pickedAt(app.skin(), app.document().groom, *hit);
     Brush& brush = app.session.brush();
     std::string text;
     if (*tool == Tool::tint) {

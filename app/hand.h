@@ -56,6 +56,8 @@ void pressHand(App& app, const PointerEvent& event);
 void moveHand(App& app, const PointerEvent& event);
 void releaseHand(App& app, const PointerEvent& event);
 
+// Takes a brush; a job that it cannot do is over.
+void takeTool(App& app, Tool tool);
 // Takes the value under the pointer into the brush.
 void pickValue(App& app);
 // Begins a job, or goes back to painting when it was begun already.

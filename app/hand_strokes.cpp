@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/app.h"
 
@@ -89,10 +90,11 @@ void paintLine(App& app, const PointerEvent& event) {
             begin(app, event, at, *hit, false);
         app.viewport.strokeAt = hit->position;
     }
-    app.viewport.drag = Drag::none;
+    // Where skin was met, a stroke that did not begin has said why.
+    const bool met = std::exchange(app.viewport.drag, Drag::none) == Drag::stroke;
     if (app.workspace.stroke)
         releaseStroke(app);
-    else
+    else if (!met)
         tell(app, "The line misses the skin.");
 }
 

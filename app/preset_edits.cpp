@@ -14,7 +14,8 @@ void openShelf(App& app) {
 }
 
 void dropPreset(App& app, const std::string& path) {
-    if (!app.isOpen()) return;
+    if (!app.isOpen() || app.work.running()) return;
+    cancelStroke(app);
     try {
         app.shelf.dropped = readPreset(path);
     } catch (const std::exception& error) {

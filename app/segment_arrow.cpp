@@ -100,9 +100,11 @@ const Segment* chosenOf(const App& app) {
     return chosen < body.size() ? &body[chosen] : nullptr;
 }
 
-// While the list of segments is on screen.
+// While the list of segments is on screen, at rest, and the hand has no other job.
 std::optional<AxisEnd> axisEndAt(const App& app, vec2 at) {
-    const Segment* segment = app.isOpen() && app.session.segment.shown ? chosenOf(app) : nullptr;
+    const bool free = app.isOpen() && app.session.segment.shown && !app.workspace.posed &&
+                      app.session.hand.job == Job::paint;
+    const Segment* segment = free ? chosenOf(app) : nullptr;
     if (!segment) return std::nullopt;
     std::optional<AxisEnd> found;
     float nearest = kReach * app.theme.scale;

@@ -18,7 +18,7 @@ void nextOverlay(App& app) {
 }
 
 void paintSegments(App& app) {
-    app.session.tool = Tool::segment;
+    takeTool(app, Tool::segment);
     app.session.view.overlay = Overlay::segment;
 }
 

@@ -199,8 +199,7 @@ void usePointer(App& app, bool mine) {
     if (viewport.drag == Drag::radius || viewport.drag == Drag::strength) return;
     const bool stroke = viewport.drag == Drag::stroke;
     const bool free = viewport.inside && viewport.drag == Drag::none;
-    if (viewport.drag != Drag::axis)
-        hoverAxis(app, free && !app.workspace.posed && app.session.hand.job == Job::paint);
+    if (viewport.drag != Drag::axis) hoverAxis(app, free);
     const bool brush = stroke || (free && !viewport.axisEnd);
     viewport.hit = brush ? hitAt(app, stroke ? viewport.brushAt : viewport.pointer) : std::nullopt;
 }

@@ -162,8 +162,9 @@ void drawMirror(App& app) {
 std::string coarseNote(const App& app) {
     if (!app.isOpen()) return {};
     const Skin& skin = app.skin();
-    const float radius = app.session.brush().radius;
     const std::optional<SkinHit>& hit = app.viewport.hit;
+    const vec3 place = hit ? hit->position : app.session.camera.target;
+    const float radius = brushInHand(app, place, false, false).radius;
     if (!hit) {
         if (radius >= skin.spacing) return {};
         return "The vertices of the mesh are " + lengthText(skin.spacing) + " apart.";

@@ -77,7 +77,7 @@ std::string freeName(std::span<const Segment> body) {
 
 // Along the middle of the skin, for the hand to put it right.
 void add(App& app) {
-    const Skin& skin = app.skin();
+    const Skin& skin = *app.document().skin;  // axes are those of the rest pose
     const vec3 half(0.0f, 0.0f, 0.15f * skin.size());
     changeBody(app, addSegmentLine({freeName(groomOf(app).body()), skin.center() + half,
                                     skin.center() - half}));
@@ -88,9 +88,10 @@ void add(App& app) {
 void fit(App& app) {
     const Groom& groom = groomOf(app);
     const uint chosen = app.session.segment.chosen;
+    const Skin& skin = *app.document().skin;
     std::vector<vec3> places;
     for (std::size_t v = 0; v < groom.segmentOf.size(); ++v)
-        if (groom.segmentOf[v] == chosen) places.push_back(app.skin().vertices[v].position);
+        if (groom.segmentOf[v] == chosen) places.push_back(skin.vertices[v].position);
     const Segment& old = chosenOf(app);
     Segment fitted = segmentAlong(old.name, places, old.root);
     if (glm::dot(axisOf(fitted), axisOf(old)) < 0.0f) std::swap(fitted.root, fitted.tip);
