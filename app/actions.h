@@ -28,6 +28,9 @@ struct Action {
     bool line = false;            // the menu draws a line above it
 };
 
+// Enables what needs something open.
+inline bool hasAnimal(const App& app) { return app.isOpen(); }
+
 std::span<const Action> actions();
 // Its parts, each in a file of its own; in a menu they stand in this order.
 std::span<const Action> fileActions();

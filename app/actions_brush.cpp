@@ -12,8 +12,6 @@ constexpr int kControl = GLFW_MOD_CONTROL;
 
 bool setsValue(const App& app) { return app.isOpen() && fieldOf(app.session.tool).has_value(); }
 
-bool open(const App& app) { return app.isOpen(); }
-
 template <Tool tool>
 void chooseTool(App& app) {
     takeTool(app, tool);
@@ -208,7 +206,7 @@ constexpr Action kActions[] = {
      "Move sideways; click keeps the radius, right click or Esc gives it up.",
      {{{GLFW_KEY_F}}},
      [](App& app) { beginAdjust(app, Drag::radius); },
-     open,
+     hasAnimal,
      nullptr,
      false,
      true},
@@ -219,7 +217,7 @@ constexpr Action kActions[] = {
      "Move sideways; click keeps the strength, right click or Esc gives it up.",
      {{{GLFW_KEY_F, kShift}}},
      [](App& app) { beginAdjust(app, Drag::strength); },
-     open,
+     hasAnimal,
      nullptr},
     {"brush.pick",
      "Brush",
@@ -246,7 +244,7 @@ constexpr Action kActions[] = {
      "Radius times 0.9.",
      {{{GLFW_KEY_LEFT_BRACKET}}},
      [](App& app) { scaleRadius(app, 0.9f); },
-     open,
+     hasAnimal,
      nullptr,
      true},
     {"brush.larger",
@@ -256,7 +254,7 @@ constexpr Action kActions[] = {
      "Radius divided by 0.9.",
      {{{GLFW_KEY_RIGHT_BRACKET}}},
      [](App& app) { scaleRadius(app, 1.0f / 0.9f); },
-     open,
+     hasAnimal,
      nullptr,
      true},
     {"brush.weaker",
@@ -266,7 +264,7 @@ constexpr Action kActions[] = {
      "Strength times 0.9.",
      {{{GLFW_KEY_LEFT_BRACKET, kShift}}},
      [](App& app) { scaleStrength(app, 0.9f); },
-     open,
+     hasAnimal,
      nullptr,
      true},
     {"brush.stronger",
@@ -276,7 +274,7 @@ constexpr Action kActions[] = {
      "Strength divided by 0.9.",
      {{{GLFW_KEY_RIGHT_BRACKET, kShift}}},
      [](App& app) { scaleStrength(app, 1.0f / 0.9f); },
-     open,
+     hasAnimal,
      nullptr,
      true},
     {"brush.flood",
@@ -297,7 +295,7 @@ constexpr Action kActions[] = {
      "Bring back what the brush paints on the entire skin, as before any painting.",
      {},
      resetSkin,
-     open,
+     hasAnimal,
      nullptr},
 };
 

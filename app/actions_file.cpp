@@ -9,8 +9,6 @@ namespace {
 constexpr int kShift = GLFW_MOD_SHIFT;
 constexpr int kControl = GLFW_MOD_CONTROL;
 
-bool open(const App& app) { return app.isOpen(); }
-
 constexpr Action kActions[] = {
     {"file.open",
      "File",
@@ -37,7 +35,7 @@ constexpr Action kActions[] = {
      "Save the groomed .glb.",
      {{{GLFW_KEY_S, kControl}}},
      [](App& app) { save(app); },
-     open,
+     hasAnimal,
      nullptr,
      false,
      true},
@@ -48,7 +46,7 @@ constexpr Action kActions[] = {
      "Save the groomed .glb under another name.",
      {{{GLFW_KEY_S, kControl | kShift}}},
      [](App& app) { askForFile(app, Dialog::saveAs); },
-     open,
+     hasAnimal,
      nullptr},
     {"file.export",
      "File",
@@ -57,7 +55,7 @@ constexpr Action kActions[] = {
      "Write a .glb for other programs: choose what goes in, and have it read back.",
      {{{GLFW_KEY_E, kControl}}},
      [](App& app) { askForFile(app, Dialog::exportAs); },
-     open,
+     hasAnimal,
      nullptr},
     {"file.quit",
      "File",
@@ -87,7 +85,7 @@ constexpr Action kActions[] = {
      "What was found in the file that was opened.",
      {},
      [](App& app) { app.dialogs.report = true; },
-     open,
+     hasAnimal,
      nullptr},
 };
 

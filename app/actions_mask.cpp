@@ -6,8 +6,6 @@
 namespace pelage {
 namespace {
 
-bool open(const App& app) { return app.isOpen(); }
-
 template <MaskAct act>
 void change(App& app) {
     editMask(app, {.act = act, .rings = ringsOf(app.skin())});
@@ -21,7 +19,7 @@ constexpr Action kActions[] = {
      "Free what is masked and mask what is free.",
      {{{GLFW_KEY_I, GLFW_MOD_CONTROL}}},
      change<MaskAct::invert>,
-     open,
+     hasAnimal,
      nullptr},
     {"mask.clear",
      "Mask",
@@ -30,9 +28,9 @@ constexpr Action kActions[] = {
      "Mask nothing.",
      {{{GLFW_KEY_M, GLFW_MOD_ALT}}},
      change<MaskAct::clear>,
-     open,
+     hasAnimal,
      nullptr},
-    {"mask.fill", "Mask", "Fill", "", "Mask all hair.", {}, change<MaskAct::fill>, open, nullptr},
+    {"mask.fill", "Mask", "Fill", "", "Mask all hair.", {}, change<MaskAct::fill>, hasAnimal, nullptr},
     {"mask.grow",
      "Mask",
      "Grow",
@@ -40,7 +38,7 @@ constexpr Action kActions[] = {
      "Move the border of the mask outwards by a hundredth of the animal's size.",
      {},
      change<MaskAct::grow>,
-     open,
+     hasAnimal,
      nullptr,
      false,
      true},
@@ -51,7 +49,7 @@ constexpr Action kActions[] = {
      "Move the border of the mask inwards by a hundredth of the animal's size.",
      {},
      change<MaskAct::shrink>,
-     open,
+     hasAnimal,
      nullptr},
     {"mask.smooth",
      "Mask",
@@ -60,7 +58,7 @@ constexpr Action kActions[] = {
      "Soften the border of the mask.",
      {},
      change<MaskAct::smooth>,
-     open,
+     hasAnimal,
      nullptr},
     {"mask.length",
      "Mask",
@@ -69,7 +67,7 @@ constexpr Action kActions[] = {
      "Mask hair by its length: the longest in full.",
      {},
      change<MaskAct::length>,
-     open,
+     hasAnimal,
      nullptr,
      false,
      true},
@@ -80,7 +78,7 @@ constexpr Action kActions[] = {
      "Mask hair by its density.",
      {},
      change<MaskAct::density>,
-     open,
+     hasAnimal,
      nullptr},
     {"mask.region",
      "Mask",
@@ -89,7 +87,7 @@ constexpr Action kActions[] = {
      "Mask what the Region panel names: a sphere, a segment, narrow or curved skin, a lasso.",
      {},
      [](App& app) { editMask(app, {.act = MaskAct::region, .region = app.session.region}); },
-     open,
+     hasAnimal,
      nullptr},
 };
 

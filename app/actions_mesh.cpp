@@ -4,8 +4,6 @@
 namespace pelage {
 namespace {
 
-bool open(const App& app) { return app.isOpen(); }
-
 constexpr Action kActions[] = {
     {"mesh.subdivide",
      "Mesh",
@@ -14,7 +12,7 @@ constexpr Action kActions[] = {
      "Four triangles for each, so that the brushes reach finer; the fur stays.",
      {},
      askSubdivide,
-     open,
+     hasAnimal,
      nullptr},
     {"mesh.transfer",
      "Mesh",
@@ -23,7 +21,7 @@ constexpr Action kActions[] = {
      "Take the fur of another file over, from the nearest point of its skin.",
      {},
      [](App& app) { askForFile(app, Dialog::transfer); },
-     open,
+     hasAnimal,
      nullptr},
 };
 

@@ -11,8 +11,6 @@ namespace {
 
 constexpr int kControl = GLFW_MOD_CONTROL, kShift = GLFW_MOD_SHIFT;
 
-bool open(const App& app) { return app.isOpen(); }
-
 constexpr Action kActions[] = {
     {"play.toggle",
      "View",
@@ -40,7 +38,7 @@ constexpr Action kActions[] = {
      "See the entire animal.",
      {{{GLFW_KEY_HOME}, {GLFW_KEY_PERIOD}}},
      frameAnimal,
-     open,
+     hasAnimal,
      nullptr},
     {"view.front",
      "View",
@@ -49,7 +47,7 @@ constexpr Action kActions[] = {
      "Look at the face.",
      {{{GLFW_KEY_KP_1}}},
      [](App& app) { turnTo(app.session, 0.0f, 0.0f); },
-     open,
+     hasAnimal,
      nullptr,
      false,
      true},
@@ -60,7 +58,7 @@ constexpr Action kActions[] = {
      "Look at the animal's left side.",
      {{{GLFW_KEY_KP_3}}},
      [](App& app) { turnTo(app.session, 0.5f * std::numbers::pi_v<float>, 0.0f); },
-     open,
+     hasAnimal,
      nullptr},
     {"view.top",
      "View",
@@ -69,7 +67,7 @@ constexpr Action kActions[] = {
      "Look at the back from above.",
      {{{GLFW_KEY_KP_7}}},
      [](App& app) { turnTo(app.session, 0.0f, 0.5f * std::numbers::pi_v<float>); },
-     open,
+     hasAnimal,
      nullptr},
     {"view.orthographic",
      "View",
@@ -78,7 +76,7 @@ constexpr Action kActions[] = {
      "No perspective: parallel lines stay so.",
      {{{GLFW_KEY_KP_5}, {GLFW_KEY_O}}},
      [](App& app) { app.session.camera.orthographic = !app.session.camera.orthographic; },
-     open,
+     hasAnimal,
      [](const App& app) { return app.session.camera.orthographic; }},
     {"view.overlay",
      "View",
@@ -87,7 +85,7 @@ constexpr Action kActions[] = {
      "None, length, density, direction, mask, segments.",
      {{{GLFW_KEY_V}}},
      nextOverlay,
-     open,
+     hasAnimal,
      nullptr,
      false,
      true},

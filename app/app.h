@@ -101,6 +101,11 @@ struct App {
     const Skin& skin() const { return *workspace.shown(); }  // as it stands
     // What can move it; null where nothing can.
     const Rig* rig() const { return isOpen() ? skin().source->rig.get() : nullptr; }
+    // Of the clip in which it stands; 0 without one.
+    float clipSeconds() const {
+        const int clip = workspace.pose.clip;
+        return clip < 0 ? 0.0f : rig()->clips[static_cast<std::size_t>(clip)].seconds;
+    }
     // True while every frame differs from the one before.
     bool moves() const { return windBlows() || session.playback.playing; }
     bool windBlows() const {

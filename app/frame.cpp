@@ -14,11 +14,6 @@ namespace {
 
 constexpr double kRest = 0.15;  // s without change until the picture converges
 
-bool sameCamera(const Camera& a, const Camera& b) {
-    return a.target == b.target && a.distance == b.distance && a.yaw == b.yaw &&
-           a.pitch == b.pitch && a.fieldOfView == b.fieldOfView && a.orthographic == b.orthographic;
-}
-
 bool asking(const App& app) {
     return app.dialogs.current != Dialog::none || !app.dialogs.problem.empty() ||
            app.work.running();
@@ -67,7 +62,7 @@ void drawPicture(App& app, Renderer& renderer, FrameKeys& keys, double now, bool
     const ImGuiIO& io = ImGui::GetIO();
     const bool held = ImGui::IsAnyItemActive() && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
     if (std::exchange(app.touched, false) || held || app.moves() ||
-        !sameCamera(app.session.camera, keys.camera))
+        app.session.camera != keys.camera)
         keys.changed = now;
     if (app.windBlows()) app.session.view.windSeconds += io.DeltaTime;
     keys.camera = app.session.camera;

@@ -23,10 +23,7 @@ float designUnit(const App& app, float depth) {  // m of one, at this depth
 // The skin under a place of the window, or where there is none the place as far away as `near`.
 vec3 worldAt(const App& app, vec2 at, vec3 near) {
     if (const auto hit = hitAt(app, at)) return hit->position;
-    const PointerRay ray = pointerRay(app.session.camera, app.viewport, at);
-    const vec3 forward = app.session.camera.forward();
-    const float far = glm::dot(near - ray.origin, forward) / glm::dot(ray.direction, forward);
-    return ray.origin + far * ray.direction;
+    return inPlane(app, near, at);
 }
 
 void paintGradient(App& app) {
@@ -150,6 +147,9 @@ void releaseHand(App& app, const PointerEvent& event) {
             break;
         case Drag::click:
             paintLine(app, event);
+            break;
+        case Drag::axis:
+            commitPending(app);
             break;
         default:
             break;

@@ -53,7 +53,6 @@ private:
 };
 
 std::string rampText(Tool tool, vec3 value) {
-    if (tool == Tool::tint) return "";
     if (toolInfo(tool).ofLength) return lengthText(value.x);
     return std::to_string(static_cast<int>(std::lround(100.0f * value.x))) + " %";
 }

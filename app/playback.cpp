@@ -8,11 +8,9 @@
 namespace pelage {
 namespace {
 
-// A press of the painting hand that meets the animal.
-bool wouldPaint(const App& app, const PointerEvent& event) {
-    if (event.kind != PointerKind::press || event.button != 0 || event.alt) return false;
-    const PointerRay ray = pointerRay(app.session.camera, app.viewport, event.at);
-    return app.workspace.query->cast(ray.origin, ray.direction).has_value();
+// A press of the painting hand.
+bool mayPaint(const PointerEvent& event) {
+    return event.kind == PointerKind::press && event.button == 0 && !event.alt;
 }
 
 }  // namespace
@@ -29,8 +27,8 @@ void playOrPause(App& app) {
     trace(app, playing ? "play" : "pause " + poseLine(app.workspace.pose));
     if (!playing) return;
     Pose pose = app.workspace.pose;
-    const bool over = pose.clip >= 0 && !app.session.playback.loop &&
-                      pose.seconds >= app.rig()->clips[static_cast<std::size_t>(pose.clip)].seconds;
+    const bool over =
+        pose.clip >= 0 && !app.session.playback.loop && pose.seconds >= app.clipSeconds();
     if (pose.clip < 0 || over) pose.seconds = 0.0f;
     pose.clip = std::max(pose.clip, 0);
     stand(app, std::move(pose));
@@ -40,8 +38,7 @@ void playOn(App& app, float seconds) {
     Playback& playback = app.session.playback;
     if (!playback.playing || app.workspace.stroke) return;
     Pose pose = app.workspace.pose;
-    const float end =
-        pose.clip >= 0 ? app.rig()->clips[static_cast<std::size_t>(pose.clip)].seconds : 0.0f;
+    const float end = app.clipSeconds();
     pose.seconds += playback.speed * seconds;
     if (pose.seconds >= end && playback.loop && end > 0.0f) {
         pose.seconds = std::fmod(pose.seconds, end);
@@ -54,14 +51,12 @@ void playOn(App& app, float seconds) {
 
 void meetPointer(App& app, bool mine) {
     if (!app.isOpen() || !mine) return;
-    bool& playing = app.session.playback.playing;
+    const bool playing = app.session.playback.playing;
     const std::vector<PointerEvent>& events = app.viewport.events;
-    const bool pressed = std::ranges::any_of(
-        events, [](const PointerEvent& event) { return event.kind == PointerKind::press; });
-    if (playing && !pressed) return;
+    if (playing && std::ranges::none_of(events, mayPaint)) return;
     app.workspace.follow();
-    if (playing && std::ranges::any_of(events, [&](const auto& e) { return wouldPaint(app, e); }))
-        playOrPause(app);
+    const auto meets = [&](const PointerEvent& e) { return mayPaint(e) && hitAt(app, e.at); };
+    if (playing && std::ranges::any_of(events, meets)) playOrPause(app);
 }
 
 }  // namespace pelage

@@ -22,24 +22,6 @@ vec3& endOf(Segment& segment, AxisEnd end) {
     return end == AxisEnd::root ? segment.root : segment.tip;
 }
 
-std::optional<vec2> inWindow(const App& app, vec3 place) {
-    const Camera& camera = app.session.camera;
-    const Viewport& viewport = app.viewport;
-    const vec3 away = place - camera.eye();
-    const float depth = glm::dot(away, camera.forward());
-    if (!camera.orthographic && !(depth > 0.0f)) return std::nullopt;
-    const vec2 across(glm::dot(away, camera.right()), -glm::dot(away, camera.up()));
-    return viewport.corner + 0.5f * viewport.size + across / worldPerUnit(camera, viewport, depth);
-}
-
-// Where the pointer is in the plane through a point that faces the eye.
-vec3 inPlane(const App& app, vec3 through, vec2 at) {
-    const PointerRay ray = pointerRay(app.session.camera, app.viewport, at);
-    const vec3 forward = app.session.camera.forward();
-    const float along = glm::dot(through - ray.origin, forward) / glm::dot(ray.direction, forward);
-    return ray.origin + along * ray.direction;
-}
-
 // The same place of the picture, before the body.
 vec3 lifted(const App& app, vec3 p) {
     const Camera& camera = app.session.camera;
@@ -109,7 +91,7 @@ std::optional<AxisEnd> axisEndAt(const App& app, vec2 at) {
     std::optional<AxisEnd> found;
     float nearest = kReach * app.theme.scale;
     for (const AxisEnd end : {AxisEnd::tip, AxisEnd::root}) {
-        const auto place = inWindow(app, end == AxisEnd::tip ? segment->tip : segment->root);
+        const auto place = placeOf(app, end == AxisEnd::tip ? segment->tip : segment->root);
         const float far = place ? glm::distance(*place, at) : nearest;
         if (!(far < nearest)) continue;
         nearest = far;

@@ -19,6 +19,8 @@ LengthUnit unitFor(float size) {
     return {"m", 1.0f};
 }
 
+std::string numberFormat(LengthUnit unit) { return std::string("%.2f ") + unit.name; }
+
 std::string lengthText(float metres) {
     const LengthUnit unit = unitFor(metres * 20.0f);
     char text[32];

@@ -30,6 +30,8 @@ struct LengthUnit {
     float perMetre = 1.0f;
 };
 LengthUnit unitFor(float size);
+// For numbers in the unit: "%.2f cm".
+std::string numberFormat(LengthUnit unit);
 // "3.2 cm": a length with three significant digits.
 std::string lengthText(float metres);
 

@@ -116,10 +116,6 @@ void move(App& app, const PointerEvent& event, vec2 before) {
 
 void release(App& app, const PointerEvent& event) {
     Viewport& viewport = app.viewport;
-    if (viewport.drag == Drag::axis && event.button == 0) {
-        viewport.drag = Drag::none;
-        commitPending(app);
-    }
     if (handBusy(viewport.drag) && event.button == 0) releaseHand(app, event);
     const bool view =
         viewport.drag == Drag::orbit || viewport.drag == Drag::pan || viewport.drag == Drag::zoom;
@@ -145,6 +141,13 @@ std::optional<vec2> placeOf(const App& app, vec3 world) {
     if (!(clip.w > 0.0f)) return std::nullopt;
     const vec2 share(0.5f + 0.5f * clip.x / clip.w, 0.5f - 0.5f * clip.y / clip.w);
     return app.viewport.corner + share * app.viewport.size;
+}
+
+vec3 inPlane(const App& app, vec3 through, vec2 at) {
+    const PointerRay ray = pointerRay(app.session.camera, app.viewport, at);
+    const vec3 forward = app.session.camera.forward();
+    const float along = glm::dot(through - ray.origin, forward) / glm::dot(ray.direction, forward);
+    return ray.origin + along * ray.direction;
 }
 
 std::optional<SkinHit> hitAt(const App& app, vec2 at) {

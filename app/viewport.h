@@ -73,6 +73,9 @@ PointerRay pointerRay(const Camera& camera, const Viewport& viewport, vec2 at);
 vec2 clipped(const Viewport& viewport, vec2 at);
 // Where a place in the world is in the window; nothing behind the eye.
 std::optional<vec2> placeOf(const App& app, vec3 world);
+
+// Where a place of the window is in the plane through a point that faces the eye.
+vec3 inPlane(const App& app, vec3 through, vec2 at);
 // From the world to clip space of the picture.
 mat4 viewProjection(const App& app);
 // The skin under a place of the window.

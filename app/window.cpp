@@ -66,11 +66,11 @@ void onKey(GLFWwindow* handle, int key, int scancode, int action, int mods) {
     const bool down = action != GLFW_RELEASE;
     if (key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT) viewport.shift = down;
     if (key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL) viewport.control = down;
-    if (keyOnLayout(key, scancode) == kLightTouchKey) viewport.light = down;
+    const int onLayout = keyOnLayout(key, scancode);
+    if (onLayout == kLightTouchKey) viewport.light = down;
     if (!down) return;
     constexpr int kMods = GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT;
-    window.keys.pressed.push_back(
-        {{keyOnLayout(key, scancode), mods & kMods}, action == GLFW_REPEAT});
+    window.keys.pressed.push_back({{onLayout, mods & kMods}, action == GLFW_REPEAT});
 }
 
 PointerEvent pointerEvent(GLFWwindow* handle, PointerKind kind) {

@@ -56,6 +56,11 @@ vec3 materialColor(uint material, vec2 uv) {
     return color;
 }
 
+const uint kOverlaySegment = 5u;  // of enum Overlay
+
+// True where the overlay is a value in heat colors.
+bool heated() { return frame.overlay == 1u || frame.overlay == 2u || frame.overlay == 4u; }
+
 // Heat colors from cold (dark blue) over green to hot (red), for the overlays; linear RGB.
 vec3 heat(float value) {
     float x = clamp((value - frame.overlayRange.x) /

@@ -9,9 +9,9 @@ out vec4 color;
 
 void main() {
     vec3 base = vec3(1.0);
-    if (frame.overlay != 0u && frame.overlay != 3u && frame.overlay != 5u)
+    if (heated())
         base = heat(field);
-    else if (layer >= 0.0 && frame.overlay != 5u)
+    else if (layer >= 0.0)
         base = textureLod(baseColors, vec3(uv, layer), 0.0).rgb;
     color = vec4(base * shade, 1.0);
 }

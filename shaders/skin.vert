@@ -25,11 +25,11 @@ void main() {
                       : depthInCoat(fur, frame.hairsPerArea * f.density, f.furLength,
                                     frame.overWidth, frame.underWidth, 0u, 0.0);
     Material m = materials[material];
-    layer = m.layer;
-    bool heated = frame.overlay != 0u && frame.overlay != 3u;
-    vec3 color = frame.overlay == 5u ? segmentColor(segmentOf[corner.skinVertex])
-                 : heated            ? vec3(1.0)
-                                     : m.color * unpackUnorm4x8(corner.color).rgb;
+    bool segments = frame.overlay == kOverlaySegment;
+    layer = segments ? -1.0 : m.layer;
+    vec3 color = segments   ? segmentColor(segmentOf[corner.skinVertex])
+                 : heated() ? vec3(1.0)
+                            : m.color * unpackUnorm4x8(corner.color).rgb;
     shade = skinRadiance(frame.light, fur.under, color, n, depth);
     field = frame.overlay == 1u   ? f.furLength
             : frame.overlay == 2u ? f.density

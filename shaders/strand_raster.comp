@@ -125,10 +125,10 @@ vec2 cornerPlace(Strand s, Ring ring, uint k, uint sides) {
 #ifndef DEPTH_PASS
 vec3 colorAtRoot(Root root, vec3 weights, vec3 field) {
     uvec4 t = triangles[root.triangle];
-    if (frame.overlay == 5u)
+    if (frame.overlay == kOverlaySegment)
         return weights.x * segmentColor(segmentOf[t.x]) + weights.y * segmentColor(segmentOf[t.y]) +
                weights.z * segmentColor(segmentOf[t.z]);
-    if (frame.overlay != 0u && frame.overlay != 3u) return heat(dot(weights, field));
+    if (heated()) return heat(dot(weights, field));
     vec2 uv = vec2(0.0);
     vec3 painted = weights.x * furVertices[t.x].tint + weights.y * furVertices[t.y].tint +
                    weights.z * furVertices[t.z].tint;

@@ -59,9 +59,8 @@ void writeOne(const Options& options, bool json) {
     preset.seeded = true;
     const HeadlessContext context;
     Thumbnailer thumbnailer;
-    for (auto picture = thumbnailer.draw(preset.fur); preset.thumbnail.empty();
-         picture = thumbnailer.draw(preset.fur))
-        if (picture) preset.thumbnail = std::move(*picture);
+    while (preset.thumbnail.empty())
+        if (auto picture = thumbnailer.draw(preset.fur)) preset.thumbnail = std::move(*picture);
     writePreset(preset, options.output);
     const Preset written = readPreset(options.output);
     const std::size_t bytes = presetText(written).size();

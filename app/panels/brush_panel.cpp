@@ -1,6 +1,5 @@
 // brush_panel.cpp -- the left column: the tools and the brush.
 #include <algorithm>
-#include <cstdio>
 #include <span>
 #include <string>
 #include <vector>
@@ -75,9 +74,8 @@ void drawNumbers(App& app, Brush& brush) {
     const Ui ui = uiOf(app);
     const float size = app.isOpen() ? app.skin().size() : 1.0f;
     const LengthUnit unit = unitFor(size);
-    char format[24];
-    std::snprintf(format, sizeof format, "%%.2f %s", unit.name);
-    drawRadius(app, unit, format);
+    const std::string format = numberFormat(unit);
+    drawRadius(app, unit, format.c_str());
     if (const auto strength = numberRow(ui, "Strength", brush.strength,
                                         {.least = 0.01f,
                                          .fallback = 0.5f,
@@ -121,7 +119,7 @@ void drawNumbers(App& app, Brush& brush) {
                                      {.least = info.least * (length ? size : 1.0f) * scale,
                                       .greatest = info.greatest * (length ? size : 1.0f) * scale,
                                       .fallback = first * scale,
-                                      .format = length ? format : "%.2f",
+                                      .format = length ? format.c_str() : "%.2f",
                                       .help = help}))
         brush.value = *value / scale;
     ImGui::EndDisabled();

@@ -1,5 +1,4 @@
 // hand_panel.cpp -- in the brush panel: the steadied hand, gradients, operations on the mask.
-#include <cstdio>
 #include <span>
 
 #include "app/actions.h"
@@ -21,13 +20,12 @@ void rampRow(App& app, Tool tool, const char* label, vec3& value, vec3 fallback)
     const ToolInfo& info = toolInfo(tool);
     const LengthUnit unit = unitFor(size);
     const float scale = info.ofLength ? unit.perMetre : 1.0f;
-    char format[24] = "%.2f";
-    if (info.ofLength) std::snprintf(format, sizeof format, "%%.2f %s", unit.name);
+    const std::string format = info.ofLength ? numberFormat(unit) : "%.2f";
     if (const auto number =
             numberRow(ui, label, value.x * scale,
                       {.greatest = info.greatest * (info.ofLength ? size : 1.0f) * scale,
                        .fallback = fallback.x * scale,
-                       .format = format,
+                       .format = format.c_str(),
                        .help = "The value at this end of the drag."}))
         value = vec3(*number / scale);
 }

@@ -1,5 +1,4 @@
 // region_panel.cpp -- where to edit all hair at once, and what to do with it.
-#include <cstdio>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,12 +14,11 @@ namespace {
 void sizeRow(App& app, const char* label, float& sizes, float greatest, const char* help) {
     const LengthUnit unit = unitFor(app.skin().size());
     const float scale = app.skin().size() * unit.perMetre;
-    char format[24];
-    std::snprintf(format, sizeof format, "%%.2f %s", unit.name);
+    const std::string format = numberFormat(unit);
     if (const auto value = numberRow(uiOf(app), label, sizes * scale,
                                      {.greatest = greatest * scale,
                                       .fallback = 0.1f * greatest * scale,
-                                      .format = format,
+                                      .format = format.c_str(),
                                       .help = help}))
         sizes = *value / scale;
 }
@@ -28,15 +26,14 @@ void sizeRow(App& app, const char* label, float& sizes, float greatest, const ch
 void drawCenter(App& app, Region& region) {
     const Skin& skin = app.skin();
     const LengthUnit unit = unitFor(skin.size());
-    char format[24];
-    std::snprintf(format, sizeof format, "%%.2f %s", unit.name);
+    const std::string format = numberFormat(unit);
     constexpr const char* kAxes[] = {"Centre X", "Centre Y", "Centre Z"};
     for (int i = 0; i < 3; ++i)
         if (const auto value = numberRow(uiOf(app), kAxes[i], region.center[i] * unit.perMetre,
                                          {.least = skin.lower[i] * unit.perMetre,
                                           .greatest = skin.upper[i] * unit.perMetre,
                                           .fallback = skin.center()[i] * unit.perMetre,
-                                          .format = format,
+                                          .format = format.c_str(),
                                           .help = "Middle of the region in the world."}))
             region.center[i] = *value / unit.perMetre;
 }
@@ -153,8 +150,7 @@ void drawValue(App& app, RegionEdit& change) {
     const bool length = change.act == RegionAct::set && change.channel == Channel::length;
     const LengthUnit unit = unitFor(app.skin().size());
     const float scale = length ? unit.perMetre : 1.0f;
-    char format[24] = "%.2f";
-    if (length) std::snprintf(format, sizeof format, "%%.2f %s", unit.name);
+    const std::string format = length ? numberFormat(unit) : "%.2f";
     constexpr const char* kLabels[] = {"Factor", "Value", "Share", "Share"};
     const float greatest = length                           ? 0.5f * app.skin().size() * scale
                            : change.act == RegionAct::scale ? 4.0f
@@ -163,7 +159,7 @@ void drawValue(App& app, RegionEdit& change) {
             numberRow(ui, kLabels[static_cast<std::size_t>(change.act)], change.value * scale,
                       {.greatest = greatest,
                        .fallback = firstValue(app, change) * scale,
-                       .format = format,
+                       .format = format.c_str(),
                        .help = "How much, in the middle of the region."}))
         change.value = *value / scale;
     if (change.act != RegionAct::randomise) return;

@@ -27,7 +27,7 @@ void drawScrubber(App& app, float width) {
     const Pose& now = app.workspace.pose;
     const bool clip = now.clip >= 0;
     float seconds = now.seconds;
-    const float end = clip ? app.rig()->clips[static_cast<std::size_t>(now.clip)].seconds : 1.0f;
+    const float end = clip ? app.clipSeconds() : 1.0f;
     ImGui::BeginDisabled(!clip);
     ImGui::SetNextItemWidth(width);
     if (ImGui::SliderFloat("##time", &seconds, 0.0f, end, clip ? "%.2f s" : "",

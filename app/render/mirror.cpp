@@ -45,6 +45,31 @@ std::span<const T> view(const std::vector<T>& values) {
     return values;
 }
 
+// Calls upload(c, first, chunk) for the chunks that are not those of `before`, all of them where
+// `all` says so; their number.
+template <typename T, typename Upload>
+std::size_t eachNewChunk(const Chunked<T>& now, const Chunked<T>& before, bool all,
+                         const Upload& upload) {
+    std::size_t first = 0, count = 0;
+    for (std::size_t c = 0; c < now.chunkCount(); ++c) {
+        const auto chunk = now.chunk(c);
+        if (all || !now.sharesChunk(before, c)) {
+            upload(c, first, chunk);
+            ++count;
+        }
+        first += chunk.size();
+    }
+    return count;
+}
+
+template <typename T>
+std::size_t uploadChunks(gl::Buffer& buffer, const Chunked<T>& now, const Chunked<T>& before,
+                         bool all) {
+    return eachNewChunk(now, before, all, [&](std::size_t, std::size_t first, auto chunk) {
+        buffer.write(first * sizeof(T), chunk);
+    });
+}
+
 }  // namespace
 
 void Mirror::uploadSkin(const Skin& skin) {
@@ -62,42 +87,22 @@ void Mirror::uploadSkin(const Skin& skin) {
     textured_ = !source.uvs.empty() || !source.colors.empty();
 }
 
-template <typename T>
-void Mirror::uploadChunks(gl::Buffer& buffer, const Chunked<T>& now, const Chunked<T>& before,
-                          bool all) {
-    std::size_t at = 0;
-    for (std::size_t c = 0; c < now.chunkCount(); ++c) {
-        const auto chunk = now.chunk(c);
-        if (all || !now.sharesChunk(before, c)) {
-            buffer.write(at * sizeof(T), chunk);
-            ++chunksUploaded_;
-        }
-        at += chunk.size();
-    }
-}
-
-void Mirror::uploadGroom(const Document& document, bool all) {
-    const Chunked<FurVertex>& fur = document.groom.fur;
-    longestOfChunk_.resize(fur.chunkCount());
+void Mirror::uploadGroom(const Groom& groom, bool newSkin, bool newPose) {
+    longestOfChunk_.resize(groom.fur.chunkCount());
     std::vector<FurVertex> inWorld;
-    uint v = 0;
-    for (std::size_t c = 0; c < fur.chunkCount(); ++c) {
-        const auto chunk = fur.chunk(c);
-        const uint first = v;
-        v += static_cast<uint>(chunk.size());
-        if (!all && fur.sharesChunk(groom_.fur, c)) continue;
-        inWorld.clear();
-        longestOfChunk_[c] = 0.0f;
-        for (uint i = 0; i < chunk.size(); ++i) {
-            inWorld.push_back(furToWorld(*shown_, first + i, chunk[i]));
-            longestOfChunk_[c] = std::max(longestOfChunk_[c], inWorld.back().furLength);
-        }
-        furVertices_.write(first * sizeof(FurVertex), view(inWorld));
-        ++chunksUploaded_;
-    }
-    uploadChunks(mask_, document.groom.mask, groom_.mask, all);
-    uploadChunks(segmentOf_, document.groom.segmentOf, groom_.segmentOf, all);
-    groom_ = document.groom;
+    chunksUploaded_ += eachNewChunk(
+        groom.fur, groom_.fur, newPose, [&](std::size_t c, std::size_t first, auto chunk) {
+            inWorld.clear();
+            longestOfChunk_[c] = 0.0f;
+            for (std::size_t i = 0; i < chunk.size(); ++i) {
+                inWorld.push_back(furToWorld(*shown_, static_cast<uint>(first + i), chunk[i]));
+                longestOfChunk_[c] = std::max(longestOfChunk_[c], inWorld.back().furLength);
+            }
+            furVertices_.write(first * sizeof(FurVertex), view(inWorld));
+        });
+    chunksUploaded_ += uploadChunks(mask_, groom.mask, groom_.mask, newSkin);
+    chunksUploaded_ += uploadChunks(segmentOf_, groom.segmentOf, groom_.segmentOf, newSkin);
+    groom_ = groom;
 }
 
 bool Mirror::update(const Document& document, const std::shared_ptr<const Skin>& posed) {
@@ -115,7 +120,7 @@ bool Mirror::update(const Document& document, const std::shared_ptr<const Skin>&
         skinVertices_.upload(view(shown->vertices));
         shown_ = shown;
     }
-    if (newGroom) uploadGroom(document, newPose);
+    if (newGroom) uploadGroom(document.groom, newSkin, newPose);
     const bool newRoots =
         newSkin || document.fur.hairs != fur_.hairs || document.fur.seed != fur_.seed;
     if (newRoots) roots_ = scatterRoots(*document.skin, document.fur.hairs, document.fur.seed);

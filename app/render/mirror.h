@@ -22,7 +22,7 @@ public:
     // Makes the GPU's copy equal to the document, standing as `posed` (pose.h) where that is not
     // null. Uploads the skin when it is another one, roots when their number or seed changed, and
     // of the groom the chunks that are not those uploaded last; in another pose the vertices and
-    // all of the groom, and the roots stay. Returns true if anything differed.
+    // the fur, while roots, mask and segments stay. Returns true if anything differed.
     bool update(const Document& document, const std::shared_ptr<const Skin>& posed = nullptr);
 
     // Binds every buffer and texture of frame.glsl, the fur block, the mask, the segments and
@@ -47,10 +47,7 @@ public:
 
 private:
     void uploadSkin(const Skin& skin);
-    void uploadGroom(const Document& document, bool all);
-    template <typename T>
-    void uploadChunks(gl::Buffer& buffer, const Chunked<T>& now, const Chunked<T>& before,
-                      bool all);
+    void uploadGroom(const Groom& groom, bool newSkin, bool newPose);
 
     std::shared_ptr<const Skin> skin_, shown_;  // at rest, and as it stands
     Groom groom_;

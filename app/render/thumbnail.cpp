@@ -20,7 +20,7 @@ View viewOf(const Document& ball) {
 }  // namespace
 
 std::optional<std::vector<std::byte>> Thumbnailer::draw(const Fur& fur) {
-    if (!fur_ || !(*fur_ == fur)) ball_ = swatch(fur);
+    if (fur_ != fur) ball_ = swatch(fur);
     fur_ = fur;
     if (!renderer_.draw(ball_, viewOf(ball_)).finished) return std::nullopt;
     return encodeJpeg(ivec2(kThumbnailSide), renderer_.pixels());
