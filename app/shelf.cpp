@@ -6,6 +6,7 @@
 
 #include "app/render/decoded.h"
 #include "app/render/thumbnail.h"
+#include "core/picture_file.h"
 
 namespace pelage {
 

@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "app/session.h"
+#include "core/picture_file.h"
 
 namespace pelage {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/render/decoded.h"
+#include "core/picture_file.h"
 
 namespace pelage {
 namespace {

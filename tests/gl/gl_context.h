@@ -16,7 +16,7 @@
 #include "app/render/headless.h"
 #include "app/render/program.h"
 #include "app/render/renderer.h"
-#include "core/source_check.h"
+#include "core/srgb.h"
 
 namespace pelage::test {
 

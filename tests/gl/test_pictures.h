@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/files.h"
+#include "core/picture_file.h"
 #include "tests/gl/gl_context.h"
 
 namespace pelage::test {
