@@ -6,7 +6,6 @@
 
 #include "app/render/decoded.h"
 #include "app/render/thumbnail.h"
-#include "core/picture_file.h"
 
 namespace pelage {
 

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "animal_shape.h"
-#include "picture_file.h"
+#include "pixels.h"
 #include "strand.h"
 
 namespace pelage::animal {

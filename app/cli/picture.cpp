@@ -6,7 +6,7 @@
 #include <chrono>
 
 #include "app/session.h"
-#include "core/picture_file.h"
+#include "core/pixels.h"
 
 namespace pelage {
 

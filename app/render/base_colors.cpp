@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "app/render/decoded.h"
-#include "core/picture_file.h"
 
 namespace pelage {
 namespace {

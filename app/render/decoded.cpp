@@ -1,18 +1,16 @@
-// decoded.cpp -- pixels of encoded pictures, uploaded.
+// decoded.cpp -- PNG and JPEG pictures as textures.
 #include "app/render/decoded.h"
-
-#include "core/picture_file.h"
 
 namespace pelage {
 
 Decoded decodePicture(std::span<const std::byte> picture, GLenum format, GLsizei levels) {
-    const Rgba8 pixels = decodedPixels(picture);
     Decoded result;
+    const Pixels pixels = decodePixels(picture);
+    if (pixels.rgba.empty()) return result;
     result.size = pixels.size;
-    if (pixels.bytes.empty()) return result;
-    result.texture = gl::makeTexture(pixels.size, format, levels);
-    glTextureSubImage2D(result.texture.name(), 0, 0, 0, pixels.size.x, pixels.size.y, GL_RGBA,
-                        GL_UNSIGNED_BYTE, pixels.bytes.data());
+    result.texture = gl::makeTexture(result.size, format, levels);
+    glTextureSubImage2D(result.texture.name(), 0, 0, 0, result.size.x, result.size.y, GL_RGBA,
+                        GL_UNSIGNED_BYTE, pixels.rgba.data());
     return result;
 }
 

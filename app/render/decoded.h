@@ -5,6 +5,7 @@
 #include <span>
 
 #include "app/render/gl.h"
+#include "core/pixels.h"
 
 namespace pelage {
 

@@ -2,7 +2,6 @@
 #include "app/render/thumbnail.h"
 
 #include "app/render/decoded.h"
-#include "core/picture_file.h"
 #include "core/preset_file.h"
 #include "tests/gl/gl_context.h"
 

@@ -1,5 +1,5 @@
-// picture_file_test.cpp -- the promises of picture_file.h, heat_map.h and srgb.h.
-#include "core/picture_file.h"
+// pixels_test.cpp -- the promises of pixels.h, heat_map.h and srgb.h.
+#include "core/pixels.h"
 
 #include <limits>
 
@@ -44,7 +44,7 @@ TEST(Srgb, EncodingUndoesDecoding) {
     EXPECT_NEAR(srgbFromLinear(0.21404f), 0.5f, 1e-5f);
 }
 
-TEST(PictureFile, PixelsOf8BitsAreLinearOverBlack) {
+TEST(Pixels, PixelsOf8BitsAreLinearOverBlack) {
     const TempFolder folder;
     const std::vector<unsigned char> bytes = ramps();
     writePng(folder.path("a.png"), {256, 2}, bytes);
@@ -62,26 +62,26 @@ TEST(PictureFile, PixelsOf8BitsAreLinearOverBlack) {
     }
 }
 
-TEST(PictureFile, WhatIsWrittenIsReadBack) {
+TEST(Pixels, WhatIsWrittenIsReadBack) {
     const TempFolder folder;
     writePng(folder.path("a.png"), {256, 2}, ramps());
     writeImage(folder.path("b.png"), readImage(folder.path("a.png")));
-    const Rgba8 pixels = decodedPixels(readFile(folder.path("b.png"), 100000));
+    const Pixels pixels = decodePixels(readFile(folder.path("b.png"), 100000));
     std::vector<unsigned char> expected = ramps();
     for (std::size_t c = 0; c < 3; ++c) expected[4 * 256 + c] = 0;  // nothing has no color
     EXPECT_EQ(pixels.size, ivec2(256, 2));
-    EXPECT_EQ(pixels.bytes, expected);
+    EXPECT_EQ(pixels.rgba, expected);
 }
 
-TEST(PictureFile, LightOverOneIsWrittenAsOneAndNanAsZero) {
+TEST(Pixels, LightOverOneIsWrittenAsOneAndNanAsZero) {
     const TempFolder folder;
     const float nan = std::numeric_limits<float>::quiet_NaN();
     writeImage(folder.path("a.png"), {{2, 1}, {vec4(3, -1, nan, 1), vec4(nan, 0, 0, nan)}});
     const std::vector<unsigned char> expected = {255, 0, 0, 255, 0, 0, 0, 0};
-    EXPECT_EQ(decodedPixels(readFile(folder.path("a.png"), 100000)).bytes, expected);
+    EXPECT_EQ(decodePixels(readFile(folder.path("a.png"), 100000)).rgba, expected);
 }
 
-TEST(PictureFile, PixelsOf16BitsKeepAllBits) {
+TEST(Pixels, PixelsOf16BitsKeepAllBits) {
     const TempFolder folder;
     const Image image = readImage(folder.write("a.png", k16Bits));
     ASSERT_EQ(image.size, ivec2(2, 1));
@@ -91,7 +91,7 @@ TEST(PictureFile, PixelsOf16BitsKeepAllBits) {
     EXPECT_EQ(image.pixels[1], vec4(alpha * vec3(1, linear(40000), linear(3)), alpha));
 }
 
-TEST(PictureFile, JpegsAreReadWithoutAlpha) {
+TEST(Pixels, JpegsAreReadWithoutAlpha) {
     const TempFolder folder;
     const std::vector<unsigned char> gray(std::size_t{16} * 8 * 4, 128);
     const Image image = readImage(folder.write("a.jpg", encodeJpeg({16, 8}, gray)));
@@ -100,7 +100,7 @@ TEST(PictureFile, JpegsAreReadWithoutAlpha) {
     EXPECT_NEAR(image.pixels[0].r, 0.2158f, 0.005f);
 }
 
-TEST(PictureFile, WhatIsNoPictureIsRefusedInOneLine) {
+TEST(Pixels, WhatIsNoPictureIsRefusedInOneLine) {
     const TempFolder folder;
     const std::string why = ": is no PNG or JPEG picture that can be read";
     for (const std::string_view text :
@@ -116,7 +116,7 @@ TEST(PictureFile, WhatIsNoPictureIsRefusedInOneLine) {
         refusal([&] { readImage(folder.path("none.png")); }).rfind(folder.path("none.png"), 0), 0u);
     EXPECT_EQ(decodedSize(bytesOf(huge), 1 << 20), ivec2(0)) << "larger than its bytes can tell";
     EXPECT_EQ(decodedSize(bytesOf(k16Bits), 1), ivec2(0)) << "over the largest side";
-    EXPECT_TRUE(decodedPixels(bytesOf("hello")).bytes.empty());
+    EXPECT_TRUE(decodePixels(bytesOf("hello")).rgba.empty());
 }
 
 TEST(HeatMap, GoesFromBlackToLightYellow) {

@@ -1,4 +1,4 @@
-// picture_file.h -- PNG and JPEG: the only place that encodes and decodes pictures.
+// pixels.h -- PNG and JPEG pictures as pixels, and back.
 //
 // Bytes of pixels are display-encoded (sRGB), their rows come from the top, alpha is straight.
 // Color profiles and gamma in files are not followed.
@@ -17,12 +17,15 @@ namespace pelage {
 // `largestSide`, or larger than its bytes can tell.
 ivec2 decodedSize(std::span<const std::byte> picture, int largestSide);
 
-struct Rgba8 {
+// RGBA8, as the picture encodes it; of size 0 where it is damaged.
+struct Pixels {
     ivec2 size{0};
-    std::vector<unsigned char> bytes;
+    std::vector<unsigned char> rgba;
 };
-// Without pixels where the picture is damaged.
-Rgba8 decodedPixels(std::span<const std::byte> picture);
+Pixels decodePixels(std::span<const std::byte> picture);
+
+// The pixels as linear light over black.
+Image linearImage(const Pixels& pixels);
 
 std::vector<std::byte> encodePng(ivec2 size, int channels, std::span<const unsigned char> bytes);
 // RGBA8, without its alpha.

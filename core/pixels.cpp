@@ -1,8 +1,9 @@
-// picture_file.cpp -- stb_image and stb_image_write, and files around them.
-#include "picture_file.h"
+// pixels.cpp -- the only place that decodes and encodes pictures.
+#include "pixels.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -42,12 +43,34 @@ void append(void* to, void* data, int count) {
 template <class Value>
 using Loaded = std::unique_ptr<Value, decltype(&stbi_image_free)>;
 
-// The linear value of each of 16 bits; those of 8 bits, times 257, are among them.
-std::vector<float> linearOf16Bits() {
-    std::vector<float> linear(65536);
-    for (std::size_t i = 0; i < linear.size(); ++i)
-        linear[i] = linearFromSrgb(static_cast<float>(i) / 65535.0f);
-    return linear;
+// Linear light over black from display-encoded values with straight alpha.
+template <class Value>
+Image linearOf(ivec2 size, std::span<const Value> rgba) {
+    constexpr std::size_t kMost = std::numeric_limits<Value>::max();
+    std::vector<float> linear(kMost + 1);
+    for (std::size_t i = 0; i <= kMost; ++i)
+        linear[i] = linearFromSrgb(static_cast<float>(i) / static_cast<float>(kMost));
+    Image image{size, {}};
+    image.pixels.reserve(pixelCount(size));
+    for (; !rgba.empty(); rgba = rgba.subspan(4)) {
+        const float alpha = static_cast<float>(rgba[3]) / static_cast<float>(kMost);
+        image.pixels.emplace_back(alpha * vec3(linear[rgba[0]], linear[rgba[1]], linear[rgba[2]]),
+                                  alpha);
+    }
+    return image;
+}
+
+// The picture with all bits that it has; without pixels where it is damaged.
+Image decodedImage(std::span<const std::byte> picture) {
+    if (!stbi_is_16_bit_from_memory(encoded(picture), encodedSize(picture)))
+        return linearImage(decodePixels(picture));
+    ivec2 size(0);
+    int channels = 0;
+    const Loaded<stbi_us> pixels(stbi_load_16_from_memory(encoded(picture), encodedSize(picture),
+                                                          &size.x, &size.y, &channels, 4),
+                                 stbi_image_free);
+    if (!pixels) return {};
+    return linearOf(size, std::span<const stbi_us>(pixels.get(), 4 * pixelCount(size)));
 }
 
 unsigned char byteOf(float share) {
@@ -68,15 +91,15 @@ ivec2 decodedSize(std::span<const std::byte> picture, int largestSide) {
     return plausible && std::max(size.x, size.y) <= largestSide ? size : ivec2(0);
 }
 
-Rgba8 decodedPixels(std::span<const std::byte> picture) {
-    Rgba8 result;
+Pixels decodePixels(std::span<const std::byte> picture) {
+    Pixels result;
     int channels = 0;
     const Loaded<stbi_uc> pixels(
         stbi_load_from_memory(encoded(picture), encodedSize(picture), &result.size.x,
                               &result.size.y, &channels, 4),
         stbi_image_free);
     if (!pixels) return {};
-    result.bytes.assign(pixels.get(), pixels.get() + 4 * pixelCount(result.size));
+    result.rgba.assign(pixels.get(), pixels.get() + 4 * pixelCount(result.size));
     return result;
 }
 
@@ -100,25 +123,18 @@ void writePng(const std::string& path, ivec2 size, std::span<const unsigned char
     writeFileAtomically(path, encodePng(size, 4, rgba));
 }
 
+Image linearImage(const Pixels& pixels) {
+    return linearOf(pixels.size, std::span<const unsigned char>(pixels.rgba));
+}
+
 Image readImage(const std::string& path) {
     constexpr std::size_t kMostBytes = std::size_t{1} << 30;
     constexpr int kLargestSide = 8192;
     const std::vector<std::byte> file = readFile(path, kMostBytes);
-    Image image{decodedSize(file, kLargestSide), {}};
-    int channels = 0;
-    const Loaded<stbi_us> pixels(
-        image.size.x > 0 ? stbi_load_16_from_memory(encoded(file), encodedSize(file), &image.size.x,
-                                                    &image.size.y, &channels, 4)
-                         : nullptr,
-        stbi_image_free);
-    if (!pixels) throw std::runtime_error(path + ": is no PNG or JPEG picture that can be read");
-    const std::vector<float> linear = linearOf16Bits();
-    image.pixels.reserve(pixelCount(image.size));
-    for (std::size_t i = 0; i < pixelCount(image.size); ++i) {
-        const stbi_us* p = pixels.get() + 4 * i;
-        const float alpha = static_cast<float>(p[3]) / 65535.0f;
-        image.pixels.emplace_back(alpha * vec3(linear[p[0]], linear[p[1]], linear[p[2]]), alpha);
-    }
+    Image image;
+    if (decodedSize(file, kLargestSide).x > 0) image = decodedImage(file);
+    if (image.pixels.empty())
+        throw std::runtime_error(path + ": is no PNG or JPEG picture that can be read");
     return image;
 }
 
