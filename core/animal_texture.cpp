@@ -6,11 +6,7 @@
 #include <cstring>
 
 #include "animal_shape.h"
-
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STB_IMAGE_WRITE_STATIC
-#include <stb_image_write.h>
-
+#include "pixels.h"
 #include "strand.h"
 
 namespace pelage::animal {
@@ -241,15 +237,7 @@ std::vector<std::byte> paintPicture(const Shape& shape, const Surface& surface,
             pixels.push_back(static_cast<unsigned char>(std::clamp(color[i] + 0.5f, 0.0f, 255.0f)));
         }
     }
-    std::vector<std::byte> png;
-    const auto append = [](void* into, void* data, int size) {
-        auto& bytes = *static_cast<std::vector<std::byte>*>(into);
-        const auto* first = static_cast<const std::byte*>(data);
-        bytes.insert(bytes.end(), first, first + size);
-    };
-    stbi_write_png_to_func(append, &png, kPictureSize, kPictureSize, 3, pixels.data(),
-                           3 * kPictureSize);
-    return png;
+    return encodePng(ivec2(kPictureSize), 3, pixels);
 }
 
 }  // namespace pelage::animal

@@ -10,7 +10,7 @@
 #include "mesh_build.h"
 #include "mesh_in.h"
 #include "obj_pieces.h"
-#include "source_check.h"
+#include "srgb.h"
 #include "text.h"
 #include "text_scan.h"
 

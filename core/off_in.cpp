@@ -4,7 +4,7 @@
 
 #include "mesh_build.h"
 #include "mesh_in.h"
-#include "source_check.h"
+#include "srgb.h"
 #include "text.h"
 #include "text_scan.h"
 

@@ -11,7 +11,7 @@
 #include "mesh_build.h"
 #include "mesh_in.h"
 #include "ply_header.h"
-#include "source_check.h"
+#include "srgb.h"
 #include "text.h"
 #include "text_scan.h"
 

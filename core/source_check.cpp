@@ -63,8 +63,4 @@ bool isPicture(std::span<const std::byte> bytes) {
     return text.starts_with("\x89PNG") || text.starts_with("\xff\xd8\xff");
 }
 
-float linearFromSrgb(float encoded) {
-    return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
-}
-
 }  // namespace pelage

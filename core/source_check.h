@@ -19,7 +19,4 @@ void finishSource(Source& source, const std::string& file);
 // True for the first bytes of a PNG or a JPEG.
 bool isPicture(std::span<const std::byte> bytes);
 
-// Linear value of an sRGB-encoded one, [0,1]. IEC 61966-2-1.
-float linearFromSrgb(float encoded);
-
 }  // namespace pelage

@@ -62,6 +62,7 @@ int runCommandLine(int argc, char** argv) {
     addInfo(app, json);
     addRender(app, json);
     addExport(app, json);
+    addCompare(app, json);
     addAnimal(app, json);
     addPreset(app, json);
     addPresets(app, json);

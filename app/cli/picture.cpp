@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "app/session.h"
+#include "core/pixels.h"
 
 namespace pelage {
 

@@ -1,11 +1,5 @@
-// headless.h -- an OpenGL context without a window (EGL surfaceless), and pictures to files.
+// headless.h -- an OpenGL context without a window (EGL surfaceless).
 #pragma once
-
-#include <cstddef>
-#include <string>
-#include <vector>
-
-#include "core/types.h"
 
 namespace pelage {
 
@@ -21,10 +15,5 @@ private:
     void* display_ = nullptr;
     void* context_ = nullptr;
 };
-
-// RGBA8 rows from the top as a JPEG file without alpha.
-std::vector<std::byte> encodeJpeg(ivec2 size, const std::vector<unsigned char>& rgba);
-// RGBA8 rows from the top to a PNG file, atomically. Throws std::runtime_error naming the file.
-void writePng(const std::string& path, ivec2 size, const std::vector<unsigned char>& rgba);
 
 }  // namespace pelage

@@ -2,6 +2,7 @@
 #include "app/render/thumbnail.h"
 
 #include "app/render/headless.h"
+#include "core/pixels.h"
 #include "core/swatch.h"
 
 namespace pelage {

@@ -78,7 +78,7 @@ OBJ
 good --version
 grep -qE '^pelage [0-9]+\.[0-9]+\.[0-9]+$' out.txt || fail "version: $(cat out.txt)"
 good --help
-for verb in info render export animal preset presets; do
+for verb in info render export compare animal preset presets; do
     good --help
     grep -q "  $verb " out.txt || fail "help does not name $verb"
     good "$verb" --help
@@ -271,6 +271,36 @@ bad 2 'render .*--pitch' render tetra.obj --pitch nan -o never.png
 bad 2 'render .*--distance' render tetra.obj --distance 0 -o never.png
 bad 2 'render .*--distance' render tetra.obj --distance nan -o never.png
 [ ! -e never.png ] || fail "a refused render wrote a file"
+
+# Compare.
+convert -size 64x48 'xc:gray(50%)' PNG24:plain.png
+convert plain.png -fill white -draw 'rectangle 20,10 39,29' PNG24:spot.png
+convert -size 64x48 xc:none -fill white -draw 'rectangle 20,10 39,29' PNG32:cut.png
+convert -size 64x48 xc:none -fill white -draw 'rectangle 20,10 39,19' PNG32:half.png
+convert plain.png -depth 16 PNG48:deep.png
+convert -size 64x48 xc:black PNG24:black.png
+json 'j.rmse === 0' 'j.flipMean === 0' 'j.flip99 === 0' 'j.ssim === 1' 'j.luminanceBias === 0' \
+    'j.coverage === null' 'j.width === 64 && j.height === 48' 'j.image === "plain.png"' \
+    'j.reference === "plain.png"' '!("heat" in j)' -- compare plain.png plain.png --json
+json 'j.rmse < 1e-3' 'j.flipMean < 0.01' -- compare deep.png plain.png --json
+# 400 of 3072 pixels are white, the others 0.2122 or 0.2159 in linear light, by how 50 % is rounded.
+json 'Math.abs(j.rmse - 0.784 * Math.sqrt(400 / 3072)) < 0.003' 'j.luminanceBias > 0.4' \
+    'j.flipMean > 0.1 && j.flipMean < j.flip99' 'j.heat === "heat.png"' \
+    -- compare spot.png plain.png --heat heat.png --json
+[ "$(png_size heat.png)" = 64x48 ] || fail "heat.png: $(png_size heat.png)"
+json 'j.coverage.areaRatio === 0.5' 'j.coverage.silhouette === 0.5' 'j.coverage.bandPixels === 0' \
+    -- compare half.png cut.png --json
+json 'j.coverage.areaRatio === 2' 'j.luminanceBias === 1' -- compare cut.png half.png --json
+json 'j.luminanceBias === null' -- compare plain.png black.png --json
+good compare half.png cut.png
+grep -qE '^half\.png against cut\.png, 64x48 pixels$' out.txt || fail "compare: $(cat out.txt)"
+grep -qE '^  covered area +0\.5 of the reference' out.txt || fail "compare: $(cat out.txt)"
+bad 1 'r\.png against plain\.png: 96x64 pixels, the reference has 64x48$' compare r.png plain.png
+bad 1 'none\.png: ' compare plain.png none.png
+bad 1 'tetra\.obj: is no PNG or JPEG picture' compare tetra.obj plain.png
+bad 1 'no/such/h\.png: ' compare plain.png plain.png --heat no/such/h.png
+bad 2 'compare .*"h\.jpg" does not end in \.png' compare plain.png plain.png --heat h.jpg
+bad 2 'compare .*REFERENCE is required' compare plain.png
 
 # Wrong use of the program itself.
 bad 2 '.*--nonsense' --nonsense

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "core/source_check.h"
+#include "core/srgb.h"
 #include "reading.h"
 
 namespace pelage {

@@ -17,7 +17,7 @@
 #include "app/render/mirror.h"
 #include "app/render/program.h"
 #include "app/render/renderer.h"
-#include "core/source_check.h"
+#include "core/srgb.h"
 
 namespace pelage::test {
 

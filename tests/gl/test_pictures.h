@@ -1,25 +1,16 @@
 // test_pictures.h -- PNG files made by tests, as bytes.
 #pragma once
 
-#include <unistd.h>
-
-#include <cstdio>
-#include <string>
 #include <vector>
 
-#include "core/files.h"
+#include "core/pixels.h"
 #include "tests/gl/gl_context.h"
 
 namespace pelage::test {
 
 // RGBA8 rows from the top as the bytes of a PNG file.
 inline std::vector<std::byte> pngOf(ivec2 size, const std::vector<unsigned char>& rgba) {
-    const std::string path =
-        ::testing::TempDir() + "pelage_" + std::to_string(getpid()) + "_picture.png";
-    writePng(path, size, rgba);
-    std::vector<std::byte> bytes = readFile(path, 1u << 24);
-    std::remove(path.c_str());
-    return bytes;
+    return encodePng(size, 4, rgba);
 }
 
 // The left half in one sRGB color and the right half in another.

@@ -1,0 +1,152 @@
+// pixels.cpp -- the only place that decodes and encodes pictures.
+#include "pixels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+
+#include "files.h"
+#include "srgb.h"
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_NO_STDIO
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#include <stb_image.h>
+
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_STATIC
+#define STBI_WRITE_NO_STDIO
+#include <stb_image_write.h>
+
+namespace pelage {
+namespace {
+
+const stbi_uc* encoded(std::span<const std::byte> picture) {
+    return reinterpret_cast<const stbi_uc*>(picture.data());
+}
+
+int encodedSize(std::span<const std::byte> picture) {
+    return static_cast<int>(std::min<std::size_t>(picture.size(), 1u << 30));
+}
+
+// For stb_image_write: appends to the vector that `to` is.
+void append(void* to, void* data, int count) {
+    const auto* bytes = static_cast<const std::byte*>(data);
+    auto& all = *static_cast<std::vector<std::byte>*>(to);
+    all.insert(all.end(), bytes, bytes + count);
+}
+
+template <class Value>
+using Loaded = std::unique_ptr<Value, decltype(&stbi_image_free)>;
+
+// Linear light over black from display-encoded values with straight alpha.
+template <class Value>
+Image linearOf(ivec2 size, std::span<const Value> rgba) {
+    constexpr std::size_t kMost = std::numeric_limits<Value>::max();
+    std::vector<float> linear(kMost + 1);
+    for (std::size_t i = 0; i <= kMost; ++i)
+        linear[i] = linearFromSrgb(static_cast<float>(i) / static_cast<float>(kMost));
+    Image image{size, {}};
+    image.pixels.reserve(pixelCount(size));
+    for (; !rgba.empty(); rgba = rgba.subspan(4)) {
+        const float alpha = static_cast<float>(rgba[3]) / static_cast<float>(kMost);
+        image.pixels.emplace_back(alpha * vec3(linear[rgba[0]], linear[rgba[1]], linear[rgba[2]]),
+                                  alpha);
+    }
+    return image;
+}
+
+// The picture with all bits that it has; without pixels where it is damaged.
+Image decodedImage(std::span<const std::byte> picture) {
+    if (!stbi_is_16_bit_from_memory(encoded(picture), encodedSize(picture)))
+        return linearImage(decodePixels(picture));
+    ivec2 size(0);
+    int channels = 0;
+    const Loaded<stbi_us> pixels(stbi_load_16_from_memory(encoded(picture), encodedSize(picture),
+                                                          &size.x, &size.y, &channels, 4),
+                                 stbi_image_free);
+    if (!pixels) return {};
+    return linearOf(size, std::span<const stbi_us>(pixels.get(), 4 * pixelCount(size)));
+}
+
+unsigned char byteOf(float share) {
+    return static_cast<unsigned char>(
+        std::lround(255.0f * std::fmin(std::fmax(share, 0.0f), 1.0f)));
+}
+
+}  // namespace
+
+ivec2 decodedSize(std::span<const std::byte> picture, int largestSide) {
+    ivec2 size(0);
+    int channels = 0;
+    if (picture.empty() ||
+        !stbi_info_from_memory(encoded(picture), encodedSize(picture), &size.x, &size.y, &channels))
+        return ivec2(0);
+    // A byte of PNG holds at most 8 * 1032 pixels, one of JPEG far fewer.
+    const bool plausible = pixelCount(size) <= (std::size_t{1} << 20) + 8256 * picture.size();
+    return plausible && std::max(size.x, size.y) <= largestSide ? size : ivec2(0);
+}
+
+Pixels decodePixels(std::span<const std::byte> picture) {
+    Pixels result;
+    int channels = 0;
+    const Loaded<stbi_uc> pixels(
+        stbi_load_from_memory(encoded(picture), encodedSize(picture), &result.size.x,
+                              &result.size.y, &channels, 4),
+        stbi_image_free);
+    if (!pixels) return {};
+    result.rgba.assign(pixels.get(), pixels.get() + 4 * pixelCount(result.size));
+    return result;
+}
+
+std::vector<std::byte> encodePng(ivec2 size, int channels, std::span<const unsigned char> bytes) {
+    std::vector<std::byte> png;
+    if (!stbi_write_png_to_func(append, &png, size.x, size.y, channels, bytes.data(),
+                                channels * size.x))
+        throw std::runtime_error("the picture could not be encoded");
+    return png;
+}
+
+std::vector<std::byte> encodeJpeg(ivec2 size, std::span<const unsigned char> rgba) {
+    constexpr int kQuality = 90;
+    std::vector<std::byte> jpeg;
+    if (!stbi_write_jpg_to_func(append, &jpeg, size.x, size.y, 4, rgba.data(), kQuality))
+        throw std::runtime_error("the picture could not be encoded");
+    return jpeg;
+}
+
+void writePng(const std::string& path, ivec2 size, std::span<const unsigned char> rgba) {
+    writeFileAtomically(path, encodePng(size, 4, rgba));
+}
+
+Image linearImage(const Pixels& pixels) {
+    return linearOf(pixels.size, std::span<const unsigned char>(pixels.rgba));
+}
+
+Image readImage(const std::string& path) {
+    constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+    constexpr int kLargestSide = 8192;
+    const std::vector<std::byte> file = readFile(path, kMostBytes);
+    Image image;
+    if (decodedSize(file, kLargestSide).x > 0) image = decodedImage(file);
+    if (image.pixels.empty())
+        throw std::runtime_error(path + ": is no PNG or JPEG picture that can be read");
+    return image;
+}
+
+void writeImage(const std::string& path, const Image& image) {
+    std::vector<unsigned char> bytes;
+    bytes.reserve(4 * image.pixels.size());
+    for (const vec4& pixel : image.pixels) {
+        for (int i = 0; i < 3; ++i)
+            bytes.push_back(pixel.a > 0.0f ? byteOf(srgbFromLinear(pixel[i] / pixel.a)) : 0);
+        bytes.push_back(byteOf(pixel.a));
+    }
+    writePng(path, image.size, bytes);
+}
+
+}  // namespace pelage

@@ -1,0 +1,44 @@
+// pixels.h -- PNG and JPEG pictures as pixels, and back.
+//
+// Bytes of pixels are display-encoded (sRGB), their rows come from the top, alpha is straight.
+// Color profiles and gamma in files are not followed.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "image.h"
+
+namespace pelage {
+
+// Pixels as the header of the picture says; 0 where it is not one that is decoded: of a side over
+// `largestSide`, or larger than its bytes can tell.
+ivec2 decodedSize(std::span<const std::byte> picture, int largestSide);
+
+// RGBA8, as the picture encodes it; of size 0 where it is damaged.
+struct Pixels {
+    ivec2 size{0};
+    std::vector<unsigned char> rgba;
+};
+Pixels decodePixels(std::span<const std::byte> picture);
+
+// The pixels as linear light over black.
+Image linearImage(const Pixels& pixels);
+
+std::vector<std::byte> encodePng(ivec2 size, int channels, std::span<const unsigned char> bytes);
+// RGBA8, without its alpha.
+std::vector<std::byte> encodeJpeg(ivec2 size, std::span<const unsigned char> rgba);
+
+// RGBA8 to a PNG file, atomically. Throws std::runtime_error naming the file.
+void writePng(const std::string& path, ivec2 size, std::span<const unsigned char> rgba);
+
+// A PNG of 8 or 16 bits or a JPEG as linear light, sides up to 8192. Throws std::runtime_error
+// "a.png: is no PNG or JPEG picture that can be read".
+Image readImage(const std::string& path);
+
+// As a PNG of 8 bits, rounded; light over 1 is written as 1, NaN as 0.
+void writeImage(const std::string& path, const Image& image);
+
+}  // namespace pelage
