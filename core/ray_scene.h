@@ -22,7 +22,8 @@ struct RayHit {
 };
 
 // Hairs are chains of round cones with a ball at each joint and at both ends. Bounding volume
-// hierarchies by Embree. May be used from several threads at once.
+// hierarchies by Embree, which misses some ends of hairs that do not taper and point within a
+// milliradian at the ray's origin. May be used from several threads at once.
 class RayScene {
 public:
     // Skin may be null; it is kept. Tapers are those of the coats of each hair. Throws Cancelled.
