@@ -199,4 +199,8 @@ float autoWidth(const Skin& skin, uint hairs, float taper) {
     return static_cast<float>(3.0 / (density * firstLength(skin) * (1.0 - 0.5 * taper)));
 }
 
+float coatWidth(const Skin& skin, uint hairs, const Coat& coat) {
+    return coat.width > 0.0f ? coat.width : autoWidth(skin, hairs, coat.taper);
+}
+
 }  // namespace pelage

@@ -42,4 +42,7 @@ void boundClusters(Roots& roots, const Skin& posed);
 // number of hairs only, so that painting never changes the width of hairs elsewhere.
 float autoWidth(const Skin& skin, uint hairs, float taper);
 
+// The width of a coat's hairs at the root, m: its own, or autoWidth where it leaves that open.
+float coatWidth(const Skin& skin, uint hairs, const Coat& coat);
+
 }  // namespace pelage

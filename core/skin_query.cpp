@@ -1,4 +1,4 @@
-// skin_query.cpp -- the only place that knows Embree.
+// skin_query.cpp -- where a ray meets the skin, and what of it lies near a point, by Embree.
 #include "skin_query.h"
 
 #include <embree3/rtcore.h>
@@ -7,12 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
-#include <string>
 #include <utility>
+
+#include "embree_skin.h"
 
 namespace pelage {
 namespace {
@@ -30,13 +29,6 @@ struct Box {
 constexpr float kSlack = 1.0001f;
 constexpr float kFarthest = 1e18f;  // m; Embree ignores what lies beyond
 
-void check(RTCDevice device, const char* what) {
-    if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE) {
-        throw std::runtime_error(std::string("cannot build the ") + what + ": Embree error " +
-                                 std::to_string(static_cast<int>(error)));
-    }
-}
-
 // Flags the vertices that triangles name, in order.
 std::vector<uint> usedVertices(const Skin& skin) {
     std::vector<bool> used(skin.vertices.size(), false);
@@ -46,16 +38,6 @@ std::vector<uint> usedVertices(const Skin& skin) {
     for (uint v = 0; v < skin.vertices.size(); ++v)
         if (used[v]) found.push_back(v);
     return found;
-}
-
-// Drops hits on triangles of no area. `geometryUserPtr` is the array of areas.
-void rejectDegenerate(const RTCFilterFunctionNArguments* arguments) {
-    const float* areas = static_cast<const float*>(arguments->geometryUserPtr);
-    for (unsigned i = 0; i < arguments->N; ++i) {
-        if (arguments->valid[i] != -1) continue;
-        const uint triangle = RTCHitN_primID(arguments->hit, arguments->N, i);
-        if (!(areas[triangle] > 0.0f)) arguments->valid[i] = 0;
-    }
 }
 
 void boundsOfRun(const RTCBoundsFunctionArguments* arguments) {
@@ -203,24 +185,9 @@ void SkinQuery::Scenes::buildRays() {
     rays = rtcNewScene(device);
     rtcSetSceneFlags(rays, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(rays, RTC_BUILD_QUALITY_LOW);
-    if (!skin->triangles.empty()) {
-        const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_LOW);
-        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                   skin->vertices.data(), offsetof(SkinVertex, position),
-                                   sizeof(SkinVertex), skin->vertices.size());
-        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                   skin->triangles.data(), 0, sizeof(uvec3),
-                                   skin->triangles.size());
-        // Embree does not write through the pointer; its interface is older than const.
-        rtcSetGeometryUserData(geometry, const_cast<float*>(skin->areas.data()));
-        rtcSetGeometryIntersectFilterFunction(geometry, rejectDegenerate);
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(rays, geometry);
-        rtcReleaseGeometry(geometry);
-    }
+    attachSkin(device, rays, *skin);
     rtcCommitScene(rays);
-    check(device, "ray hierarchy");
+    checkEmbree(device, "ray hierarchy");
 }
 
 void SkinQuery::Scenes::buildPoints() {
@@ -248,7 +215,7 @@ void SkinQuery::Scenes::buildPoints() {
         rtcReleaseGeometry(geometry);
     }
     rtcCommitScene(points);
-    check(device, "vertex hierarchy");
+    checkEmbree(device, "vertex hierarchy");
 }
 
 // A triangle that names a vertex twice is no way to anywhere but along its one edge.
@@ -269,8 +236,7 @@ void SkinQuery::Scenes::buildFans() {
 
 SkinQuery::SkinQuery(std::shared_ptr<const Skin> skin)
     : scenes_(std::make_unique<Scenes>(std::move(skin))) {
-    scenes_->device = rtcNewDevice(nullptr);
-    if (!scenes_->device) throw std::runtime_error("cannot start Embree: no device");
+    scenes_->device = newEmbreeDevice();
     scenes_->buildRays();
     scenes_->buildPoints();
     scenes_->buildFans();

@@ -20,16 +20,6 @@ namespace {
 
 namespace {
 
-// A document on its way to curves.
-struct Growth {
-    const Skin& skin;
-    const Fur& fur;
-    const Roots& roots;
-    std::vector<FurVertex> painted;  // in the world
-    float overWidth, underWidth;     // m, where the coats leave theirs open
-    float seconds;
-};
-
 bool grows(const Growth& growth, const Cluster& cluster, uint k) {
     const Root& root = growth.roots.roots[cluster.first + k];
     const uvec3 t = growth.skin.triangles[root.triangle];
@@ -79,23 +69,34 @@ void growCluster(const Growth& growth, const Cluster& cluster, const std::vector
 
 }  // namespace
 
-Curves growCurves(const Document& document, const Roots& roots, uint segments, float seconds) {
-    assert(segments >= 1 && segments <= 64);
+Growth growthOf(const Document& document, const Roots& roots, float seconds) {
     const Skin& skin = *document.skin;
     const Fur& fur = document.fur;
     Growth growth{skin,
                   fur,
                   roots,
                   std::vector<FurVertex>(skin.vertices.size()),
-                  autoWidth(skin, fur.hairs, fur.over.taper),
-                  autoWidth(skin, fur.hairs, fur.under.taper),
+                  coatWidth(skin, fur.hairs, fur.over),
+                  coatWidth(skin, fur.hairs, fur.under),
                   seconds};
     tbb::parallel_for(tbb::blocked_range<uint>(0, static_cast<uint>(skin.vertices.size()), 4096),
                       [&](const auto& range) {
                           for (uint v = range.begin(); v < range.end(); ++v)
                               growth.painted[v] = furToWorld(skin, v, document.groom.fur[v]);
                       });
+    return growth;
+}
 
+Strand grownStrand(const Growth& growth, uint root) { return gathered(growth, root); }
+
+Curves growCurves(const Document& document, const Roots& roots, uint segments, float seconds) {
+    return growCurves(growthOf(document, roots, seconds), segments);
+}
+
+Curves growCurves(const Growth& growth, uint segments) {
+    assert(segments >= 1 && segments <= 64);
+    const Roots& roots = growth.roots;
+    const Fur& fur = growth.fur;
     // First which of them grow and how many of each cluster, then the hairs, each at its place.
     const tbb::blocked_range<std::size_t> clusters(0, roots.clusters.size(), 8);
     std::vector<char> growing(roots.roots.size());

@@ -47,6 +47,11 @@ vec3 skyLight(Light light, vec3 n) {
     return mix(light.ground, light.sky, 0.5f + 0.5f * n.y);
 }
 
+struct Reaching {  // what light arrives at a place in or under the coat
+    float key;     // strength of the key light
+    vec3 sky;      // radiance from all sides
+};
+
 struct FiberLight {  // what is the same around a hair, whatever normal it is shaded by
     vec3 ambient;    // radiance
     float sine;      // of the angle between hair and light
@@ -55,26 +60,36 @@ struct FiberLight {  // what is the same around a hair, whatever normal it is sh
     vec3 halfway;    // unit, between light and eye
 };
 
-// The light at t of a hair that runs along the unit `tangent` there; base is the color of the skin
-// at the root, depth the optical depth of the coat above (depthInCoat).
-FiberLight fiberLight(Strand s, Coat coat, Light light, vec3 base, float t, vec3 tangent,
-                      vec3 toEye, float depth) {
-    float sinL = sineBetween(tangent, light.toKey);
+// What this light does at t of a hair that runs along the unit `tangent` there; base is the color
+// of the skin at the root.
+FiberLight fiberLitBy(Strand s, Coat coat, vec3 toKey, Reaching light, vec3 base, float t,
+                      vec3 tangent, vec3 toEye) {
+    float sinL = sineBetween(tangent, toKey);
     float sinV = sineBetween(tangent, toEye);
-    float cosL = dot(tangent, light.toKey);
+    float cosL = dot(tangent, toKey);
     float cosV = dot(tangent, toEye);
 
-    // The body stands between the key light and hairs on its far side.
-    float lit = min(max(2.5f * dot(s.normal, light.toKey) + 0.5f, 0.0f), 1.0f);
-    float key = light.key * lit * keyThroughCoat(depth, s.normal, tangent, light.toKey);
     vec3 color = s.tone * base * mix(coat.rootColor, coat.tipColor, t);
     FiberLight f;
-    f.ambient = color * coat.ambient * (skyThroughCoat(depth) * skyLight(light, s.normal));
+    f.ambient = color * coat.ambient * light.sky;
     f.sine = sinL;
-    f.diffuse = key * color * coat.diffuse;
-    f.specular = key * pow(max(0.0f, sinL * sinV - cosL * cosV), coat.shininess) * coat.specular;
-    f.halfway = safeUnit(light.toKey + toEye, toEye);
+    f.diffuse = light.key * color * coat.diffuse;
+    f.specular =
+        light.key * pow(max(0.0f, sinL * sinV - cosL * cosV), coat.shininess) * coat.specular;
+    f.halfway = safeUnit(toKey + toEye, toEye);
     return f;
+}
+
+// The same where `depth`, the optical depth of the coat above (depthInCoat), says how much of the
+// light arrives.
+FiberLight fiberLight(Strand s, Coat coat, Light light, vec3 base, float t, vec3 tangent,
+                      vec3 toEye, float depth) {
+    // The body stands between the key light and hairs on its far side.
+    float lit = min(max(2.5f * dot(s.normal, light.toKey) + 0.5f, 0.0f), 1.0f);
+    Reaching reaching;
+    reaching.key = light.key * lit * keyThroughCoat(depth, s.normal, tangent, light.toKey);
+    reaching.sky = skyThroughCoat(depth) * skyLight(light, s.normal);
+    return fiberLitBy(s, coat, light.toKey, reaching, base, t, tangent, toEye);
 }
 
 // Radiance towards the eye of a hair, or of a side of it, that is shaded by this unit normal.
@@ -93,14 +108,19 @@ vec3 fiberRadiance(Strand s, Coat coat, Light light, vec3 base, float t, vec3 to
     return radianceOf(f, strandNormal(s, tangent), light.toKey);
 }
 
-// Radiance of the skin between the hairs, under the entire coat. Where the coat is dense the short
-// hairs that nobody draws cover it: it takes the color of the undercoat's roots.
+// Color of the skin between the hairs, under a coat of this optical depth. Where the coat is dense
+// the short hairs that nobody draws cover it: it takes the color of the undercoat's roots.
+vec3 skinColor(Coat under, vec3 base, float depth) {
+    float covered = 1.0f - exp(-depth);
+    return base * mix(vec3(1.0f, 1.0f, 1.0f), under.rootColor, covered);
+}
+
+// Radiance of the skin between the hairs, under the entire coat.
 vec3 skinRadiance(Light light, Coat under, vec3 base, vec3 n, float depth) {
     float lit = max(0.0f, dot(n, light.toKey));
     // As if hairs lean: straight light along upright hairs would reach the skin unhindered.
     float slant = max(sineBetween(n, light.toKey) / max(lit, 0.05f), 0.7f);
     float key = light.key * lit * exp(-kStraightShare * depth * slant);
-    float covered = 1.0f - exp(-depth);
-    vec3 color = base * mix(vec3(1.0f, 1.0f, 1.0f), under.rootColor, covered);
-    return color * (skyThroughCoat(depth) * skyLight(light, n) + vec3(key, key, key));
+    return skinColor(under, base, depth) *
+           (skyThroughCoat(depth) * skyLight(light, n) + vec3(key, key, key));
 }

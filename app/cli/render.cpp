@@ -9,6 +9,7 @@
 #include "app/cli/input.h"
 #include "app/cli/picture.h"
 #include "app/cli/print.h"
+#include "app/cli/reference.h"
 #include "core/pose.h"
 
 namespace pelage {
@@ -28,6 +29,7 @@ struct Options {
     int samples = 16, repeat = 3;
     bool allHairs = false;
     float budget = 0.0f;  // ms
+    TraceOptions trace;
 };
 
 // "900x600" as pixels; nothing where it is not two numbers of [1, kMaxSide].
@@ -125,11 +127,15 @@ std::string textOf(const OrderedJson& result) {
 
 void render(const Options& options, bool json) {
     Document document = openInput(options.input);
+    View view = viewOf(document, options);
+    if (!options.clip.empty()) view.posed = standing(document, options);
+    if (options.technique == kReferenceTechnique) {
+        traceReference(document, view, options.trace, options.output, json);
+        return;
+    }
     if (!options.technique.empty()) setParameter(document.fur, "both.style", options.technique);
     const HeadlessContext context;
     Renderer renderer;
-    View view = viewOf(document, options);
-    if (!options.clip.empty()) view.posed = standing(document, options);
     const std::vector<double> times = timeFrames(renderer, document, view, options.repeat);
     const FrameStats stats = drawFinished(renderer, document, view);
     writePicture(options.output, renderer, view.size);
@@ -156,10 +162,12 @@ void addRender(CLI::App& app, bool& json) {
         ->capture_default_str()
         ->check(CLI::Validator(checkSize, ""));
     const auto styles = styleRow().choices;
+    std::vector<std::string> techniques(styles.begin(), styles.end());
+    techniques.emplace_back(kReferenceTechnique);
     verb->add_option("--technique", options->technique,
                      "How hair is drawn, in place of the coats' own styles")
         ->type_name("NAME")
-        ->check(CLI::IsMember(std::vector<std::string>(styles.begin(), styles.end())));
+        ->check(CLI::IsMember(techniques));
     verb->add_option("--clip", options->clip,
                      "Stand as in this animation, by name or number; see pelage info")
         ->type_name("NAME");
@@ -194,6 +202,7 @@ void addRender(CLI::App& app, bool& json) {
         ->type_name("MS")
         ->capture_default_str()
         ->check(between(0.0f, 1e6f));
+    addTraceOptions(*verb, options->trace);
     addJsonFlag(*verb, json);
     verb->callback([options, &json] { render(*options, json); });
 }

@@ -59,17 +59,6 @@ vec2 sampleOffset(int sample) {
     return {fraction(0.5 + n * 0.7548776662466927), fraction(0.5 + n * 0.5698402909980532)};
 }
 
-// A key light over the shoulder, so that the animal is lit from wherever it is looked at.
-Light studioLight(const Camera& camera) {
-    Light light;
-    const vec3 toEye(std::sin(camera.yaw), 0.0f, std::cos(camera.yaw));
-    light.toKey = glm::normalize(-0.55f * camera.right() + vec3(0.0f, 0.85f, 0.0f) + 0.6f * toEye);
-    light.key = 1.45f;
-    light.sky = vec3(0.62f, 0.68f, 0.78f);
-    light.ground = vec3(0.26f, 0.23f, 0.20f);
-    return light;
-}
-
 // Predicts how many hairs fit a budget from what the last frames took.
 struct CostModel {
     double perHair = 1e-6, rest = 0.02;  // s
@@ -139,6 +128,16 @@ void requireCapabilities() {
 
 }  // namespace
 
+Light studioLight(const Camera& camera) {
+    Light light;
+    const vec3 toEye(std::sin(camera.yaw), 0.0f, std::cos(camera.yaw));
+    light.toKey = glm::normalize(-0.55f * camera.right() + vec3(0.0f, 0.85f, 0.0f) + 0.6f * toEye);
+    light.key = 1.45f;
+    light.sky = vec3(0.62f, 0.68f, 0.78f);
+    light.ground = vec3(0.26f, 0.23f, 0.20f);
+    return light;
+}
+
 struct Renderer::Parts {
     Mirror mirror;
     SkinPass skinPass;
@@ -200,11 +199,8 @@ FrameData Renderer::Parts::frameData(const Document& document, const View& view,
     frame.segments = std::clamp(view.segments, 1u, 16u);
     frame.size = pixels;
     const Fur& fur = document.fur;
-    const auto width = [&](const Coat& coat) {
-        return coat.width > 0.0f ? coat.width : autoWidth(*document.skin, fur.hairs, coat.taper);
-    };
-    frame.overWidth = width(fur.over);
-    frame.underWidth = width(fur.under);
+    frame.overWidth = coatWidth(*document.skin, fur.hairs, fur.over);
+    frame.underWidth = coatWidth(*document.skin, fur.hairs, fur.under);
     frame.hairsPerArea =
         document.skin->area > 0.0 ? static_cast<float>(fur.hairs / document.skin->area) : 0.0f;
     frame.coats = (view.showOver ? 1u : 0u) | (view.showUnder ? 2u : 0u);

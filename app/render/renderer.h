@@ -38,6 +38,9 @@ struct View {
     bool operator==(const View&) const = delete;
 };
 
+// A key light over the shoulder, so that the animal is lit from wherever it is looked at.
+Light studioLight(const Camera& camera);
+
 struct FrameStats {
     std::size_t hairsTotal = 0;  // that grow at density 1
     std::size_t hairsDrawn = 0;  // that the skin did not hide in the last sample

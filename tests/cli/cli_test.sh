@@ -240,6 +240,15 @@ good render tetra.obj --size 64x64 --samples 1 --yaw -30 --pitch -10 --distance 
     --technique polyline --preset fox --script lines.txt -o r2.png
 grep -qE '^wrote r2\.png: 64x64, [0-9]+ of [0-9]+ hairs, ' out.txt || fail "render: $(cat out.txt)"
 good render --animal 2000 --hairs 0 --size 32x32 --samples 1 -o bald.png
+json 'j.technique === "reference" && j.samples === 4 && j.segments === 7' 'j.hairs > 400' \
+    'j.noise > 0 && j.noise < 0.2 && j.rays > 4 * 48 * 32' \
+    -- render --animal 2000 --hairs 500 --size 48x32 --technique reference --spp 3 --segments 7 \
+    -o reference.png --json
+good render --animal 2000 --hairs 500 --size 48x32 --technique reference --spp 2 --shadows live \
+    -o reference.png
+[ "$(identify -format %wx%h reference.png)" = 48x32 ] || fail "the reference is of a wrong size"
+grep -qE '^wrote reference\.png: 48x32, [0-9]+ hairs of [0-9]+ segments, 2 samples, noise ' out.txt ||
+    fail "render: $(cat out.txt)"
 good render --animal 2000 --hairs 3000 --size 64x64 --samples 2 -o one.png
 good render --animal 2000 --hairs 3000 --size 64x64 --samples 2 -o two.png
 cmp -s one.png two.png || fail "the same picture twice differs"
@@ -267,6 +276,8 @@ for size in 0x8 8x 8 8x8x8 x8 -1x8 8x9000 '8 x8' ''; do
 done
 bad 2 'render .*--technique' render tetra.obj --technique magic -o never.png
 bad 2 'render .*--samples' render tetra.obj --samples 0 -o never.png
+bad 2 'render .*--spp' render tetra.obj --technique reference --spp 0 -o never.png
+bad 2 'render .*--shadows' render tetra.obj --technique reference --shadows none -o never.png
 bad 2 'render .*--pitch' render tetra.obj --pitch nan -o never.png
 bad 2 'render .*--distance' render tetra.obj --distance 0 -o never.png
 bad 2 'render .*--distance' render tetra.obj --distance nan -o never.png

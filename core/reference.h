@@ -1,0 +1,102 @@
+// reference.h -- the slow, right answer: a picture of the same hairs by ray tracing.
+//
+// Every hair that grows is a round tapered curve of its true width, whatever the style of its coat
+// and the distance; the light it sends is that of shaders/fiber.glsl, as for a polyline.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "document.h"
+#include "progress.h"
+
+namespace pelage {
+
+struct ReferenceOptions {
+    uint segments = 0;     // of each hair, [1, 64]; 0 = as many as its shape needs
+    float seconds = 0.0f;  // how long the wind has blown
+    bool skin = true, over = true, under = true;  // what there is
+    std::shared_ptr<const Skin> posed;  // the document's skin as it stands (pose.h); null = at rest
+    std::size_t memory = std::size_t{4} << 30;  // bytes that the hairs may take
+};
+
+struct TracedDocument;  // known to the reference only
+
+// A document made ready for rays; it does not change afterwards. May be used from several threads.
+class ReferenceScene {
+public:
+    // Grows every hair and builds its hierarchy. Throws Cancelled, and std::runtime_error that says
+    // how much memory the hairs need where that is more than allowed.
+    explicit ReferenceScene(const Document& document, const ReferenceOptions& options = {},
+                            Progress* progress = nullptr);
+    ~ReferenceScene();
+    ReferenceScene(const ReferenceScene&) = delete;
+    ReferenceScene& operator=(const ReferenceScene&) = delete;
+
+    std::size_t hairs() const;
+    uint segments() const;      // of each hair
+    std::size_t bytes() const;  // of the hierarchy
+    const TracedDocument& traced() const { return *traced_; }
+
+private:
+    std::unique_ptr<const TracedDocument> traced_;
+};
+
+// How light is kept from a place in the coat.
+enum class Shadows {
+    // By rays towards the key light and into the hemisphere around the skin's normal. Skin blocks
+    // light; a hair blocks the share kStraightShare (fiber.glsl) of it, the rest goes on as
+    // scattered light does. The mean over a random coat is what `live` computes.
+    traced,
+    live  // by the functions of the live view, from the optical depth of the coat
+};
+
+struct ReferenceView {
+    ivec2 size{900, 900};                                                            // pixels
+    vec3 eye{0.0f};                                                                  // world
+    vec3 forward{0.0f, 0.0f, -1.0f}, right{1.0f, 0.0f, 0.0f}, up{0.0f, 1.0f, 0.0f};  // unit
+    float halfHeight = 0.3f;  // of the picture: m, or in perspective the tangent of half its angle
+    bool orthographic = false;
+    Light light{};
+    Shadows shadows = Shadows::traced;
+    uint seed = 1;
+};
+
+// Root mean square error of a picture, over its pixels.
+struct ReferenceNoise {
+    float color = 0.0f;  // and over red, green and blue, in linear light
+    float coverage = 0.0f;
+};
+
+// A picture that gets better with every sample. The same for any number of threads, and however the
+// samples are divided among calls of add; in a pixel they are spread evenly (stratified.h).
+class ReferencePicture {
+public:
+    // Throws std::runtime_error for a size that is not in [1, 16384] each way.
+    ReferencePicture(std::shared_ptr<const ReferenceScene> scene, const ReferenceView& view);
+
+    // Adds so many samples to each pixel, rounded up to an even number, up to 65536 in all. Throws
+    // Cancelled; the picture is then as before the call.
+    void add(uint samples, Progress* progress = nullptr);
+
+    uint samples() const { return 2 * ofHalf_; }
+    std::size_t rays() const { return rays_; }  // traced so far, shadows among them
+
+    // Mean radiance (linear RGB, times coverage) and coverage of each pixel, first row at the top.
+    std::vector<vec4> pixels() const;
+
+    // The error of pixels() over a background that randomness leaves. Samples are taken in two
+    // halves A and B that know nothing of each other; the picture is (A + B) / 2, its variance
+    // a quarter of the mean of (A - B)^2. Needs samples.
+    ReferenceNoise noise(vec3 background) const;
+
+private:
+    std::shared_ptr<const ReferenceScene> scene_;
+    ReferenceView view_;
+    std::vector<vec4> sums_;  // of the samples of each half; pixel after pixel, A then B
+    uint ofHalf_ = 0;         // samples
+    std::size_t rays_ = 0;
+};
+
+}  // namespace pelage
