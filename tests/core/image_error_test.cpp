@@ -253,7 +253,7 @@ TEST(ImageErrors, FlipIsGivenAsMapMeanAndPercentile) {
     EXPECT_NEAR(errors.flipMean, sum / 270, 1e-9);
     std::ranges::sort(values);
     EXPECT_EQ(errors.flip99, static_cast<double>(values[267]));  // 268 of 270 are 99.3 %
-    EXPECT_NE(values[266], values[267]);  // 267 are 98.9 %
+    EXPECT_NE(values[266], values[267]);                         // 267 are 98.9 %
     EXPECT_NE(values[267], values[268]);
 }
 
