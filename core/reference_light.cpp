@@ -2,18 +2,10 @@
 #include <cmath>
 
 #include "reference_scene.h"
+#include "strand_inline.h"
 #include "stratified.h"
 
 namespace pelage {
-
-// Functions of their own, as in strands_out.cpp: the compiler inlines them.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-namespace {
-#include "strand_source.h"
-}  // namespace
-#pragma GCC diagnostic pop
-
 namespace {
 
 // Streams of random numbers that a sample draws from its seed.
