@@ -7,6 +7,8 @@
 #include <cassert>
 #include <numeric>
 
+#include "elastica.h"
+
 namespace pelage {
 
 // Functions of their own, not those of strand.h: the compiler then leaves out what a polyline does
