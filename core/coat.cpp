@@ -20,11 +20,19 @@ using Kind = ParameterKind;
 
 constexpr const char* kStyles[] = {"line", "polyline", "ribbon", "nurbs-curve", "nurbs-surface"};
 
+constexpr const char* kDroops[] = {"paper", "elastica"};
+
 constexpr Parameter kCoatRows[] = {
     {"style", "Hair style", "", "How a hair is drawn; a nurbs-surface is a tube, and the slowest.",
      Kind::choice, 0, 4, offsetof(Coat, style), kStyles},
     {"stiffness", "Stiffness", "", "How much a hair resists gravity; 0 hangs, 1 stands.",
      Kind::scalar, 0, 1, offsetof(Coat, stiffness)},
+    {"droop", "Droop", "",
+     "How hair bends under its weight: by the rule of the paper, or as elastic rods do.",
+     Kind::choice, 0, 1, offsetof(Coat, droop), kDroops},
+    {"softness", "Softness", "",
+     "Of droop elastica: lets hair sag further than stiffness 0 does; 1 hangs like long silk.",
+     Kind::scalar, 0, 1, offsetof(Coat, softness)},
     {"endRandomness", "End randomness", "share of length",
      "How far the tip strays from where it was combed.", Kind::scalar, 0, 1,
      offsetof(Coat, endRandomness)},

@@ -4,6 +4,7 @@
 // is not. Not together with strand.h, whose functions have the same names.
 #pragma once
 
+#include "elastica.h"  // the table that the source asks for
 #include "types.h"
 
 #pragma GCC diagnostic push

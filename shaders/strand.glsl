@@ -108,6 +108,8 @@ float rankOf(uint i, float phase, float step) {
 
 bool isOvercoat(uint id, float share) { return rand01(id + kDrawCoat) < share; }
 
+#include "rod.glsl"
+
 // The direction in which a hair leaves the skin: between the normal and the painted direction,
 // displaced at the tip by a random vector. Unit, never below the skin plane.
 vec3 weightlessDirection(vec3 n, vec3 painted, Coat coat, uint id) {
@@ -168,7 +170,7 @@ Strand bendStrand(vec3 root, vec3 n, vec3 painted, float spineLength, Coat coat,
     if (!finite3(tangent) || !(dot(tangent, tangent) > 1e-6f)) tangent = anyTangent(n);
     tangent = safeUnit(tangent, n);
     vec3 end = safeUnit(w + load * (pull + (0.02f * sqrt(dot(pull, pull))) * tangent), tangent);
-    if (coat.style == kStyleLine) w = end;
+    if (coat.style == kStyleLine && !isRodCoat(coat)) w = end;
     float m = max(0.0f, 1.0f - dot(w, end));
 
     Strand s;
@@ -200,6 +202,11 @@ Strand bendStrand(vec3 root, vec3 n, vec3 painted, float spineLength, Coat coat,
     s.curlTurns = within(coat.curlTurns, 0.0f, 20.0f);
     s.frizz = within(coat.frizz, 0.0f, 0.5f) * spineLength;
     s.frizzWaves = within(coat.frizzWaves, 1.0f, 16.0f);
+    s.rod = mat3x4(0.0f);
+    s.guideRod = s.rod;
+    s.droop = kDroopPaper;
+    s.rodBend = 0.0f;
+    if (isRodCoat(coat)) s = bendRod(s, rodLoad(coat, c, sqrt(dot(pull, pull))), pull, tangent);
     if (coat.curlRadius > 0.0f) {
         float radius = within(coat.curlRadius, 0.0f, 0.5f);
         float longer = arcOfHelix(radius, s.curlTurns);
@@ -216,6 +223,7 @@ Strand gatherStrand(Strand s, Strand guide, Coat coat) {
     s.guideOffset = guide.origin - s.origin;
     s.guideWeightless = guide.scale * guide.weightless;
     s.guideEnd = guide.scale * guide.end;
+    s.guideRod = guide.rod;
     return s;
 }
 
@@ -265,7 +273,16 @@ Strand growStrand(Root root, SkinVertex a, SkinVertex b, SkinVertex c, FurVertex
 // Weights of the weightless direction and of the end in the point of the spine at t:
 // origin + scale * (x * weightless + y * end). Linear in the two, so that they may be transformed
 // once for all points of a hair.
-vec2 strandWeights(float t) { return vec2(t * (1.0f - t), t * t); }
+vec2 strandWeights(Strand s, float t) {
+    if (isRod(s)) return rodWeights(s.rod, t);
+    return vec2(t * (1.0f - t), t * t);
+}
+
+// The same in the spine of the guide.
+vec2 guideWeights(Strand s, float t) {
+    if (isRod(s)) return rodWeights(s.guideRod, t);
+    return vec2(t * (1.0f - t), t * t);
+}
 
 // True where hair of the coat may be more than its spine.
 bool isShapedCoat(Coat coat) {
@@ -276,8 +293,12 @@ bool isShapedCoat(Coat coat) {
 bool isShaped(Strand s) { return s.clump > 0.0f || s.curl > 0.0f || s.frizz > 0.0f; }
 
 // Unit direction of the spine at t, towards the tip. The curve's derivative is never shorter than
-// 0.7 scale, so there is nothing to guard.
+// 0.7 scale, that of a rod than 0.1, so there is nothing to guard.
 vec3 spineTangent(Strand s, float t) {
+    if (isRod(s)) {
+        vec2 k = rodSlope(s.rod, t);
+        return (k.x * s.weightless + k.y * s.end) * (1.0f / sqrt(dot(k, k)));
+    }
     vec3 d = (1.0f - 2.0f * t) * s.weightless + (2.0f * t) * s.end;
     return d * (1.0f / sqrt(dot(d, d)));
 }
@@ -294,10 +315,11 @@ float frizzNoise(uint stream, float x) {
 // The point at t from the root: the spine, then clump, curl and frizz in this order, all of them 0
 // at the root, and what dips below the skin's plane lifted onto it.
 vec3 shapedOffset(Strand s, float t) {
-    vec2 k = strandWeights(t);
+    vec2 k = strandWeights(s, t);
     vec3 p = s.scale * (k.x * s.weightless + k.y * s.end);
     if (s.clump > 0.0f) {
-        vec3 guide = s.guideOffset + k.x * s.guideWeightless + k.y * s.guideEnd;
+        vec2 g = guideWeights(s, t);
+        vec3 guide = s.guideOffset + g.x * s.guideWeightless + g.y * s.guideEnd;
         p = mix(p, guide, s.clump * pow(t, s.clumpShape));
     }
     if (s.curl > 0.0f || s.frizz > 0.0f) {
@@ -314,10 +336,13 @@ vec3 shapedOffset(Strand s, float t) {
     return p - min(0.0f, dot(p, s.normal)) * s.normal;
 }
 
-// Point of the spine at t in [0,1], root to tip; world.
+// Point of the spine at t in [0,1], root to tip; world. What of a rod that lies nearly flat dips
+// below the skin's plane, up to a hundredth of its length, is lifted onto it.
 vec3 spinePoint(Strand s, float t) {
-    vec2 k = strandWeights(t);
-    return s.origin + s.scale * (k.x * s.weightless + k.y * s.end);
+    vec2 k = strandWeights(s, t);
+    vec3 p = s.scale * (k.x * s.weightless + k.y * s.end);
+    if (isRod(s)) p = p - min(0.0f, dot(p, s.normal)) * s.normal;
+    return s.origin + p;
 }
 
 // Point of the hair at t; world.
@@ -370,6 +395,7 @@ float strandWidth(Strand s, float taper, float t) { return s.width * (1.0f - tap
 // How far the chords of a spine drawn with so many segments stray from it at most, m: N chords of a
 // parabola miss it by |second derivative| / (8 N^2).
 float chordError(Strand s, float segments) {
+    if (isRod(s)) return s.scale * s.rodBend / (8.0f * segments * segments);
     vec3 bend = s.end - s.weightless;
     return s.scale * sqrt(dot(bend, bend)) / (4.0f * segments * segments);
 }
@@ -377,8 +403,7 @@ float chordError(Strand s, float segments) {
 // Segments that keep the chord of a hair within `tolerance` (m), in [1,32]: as chordError, and at
 // least six for each turn of a curl and two for each wave of frizz.
 uint segmentsFor(Strand s, float tolerance) {
-    vec3 bend = s.end - s.weightless;
-    float asked = sqrt(s.scale * sqrt(dot(bend, bend)) / (4.0f * max(tolerance, 1e-30f)));
+    float asked = sqrt(chordError(s, 1.0f) / max(tolerance, 1e-30f));
     if (s.clump > 0.0f) asked = max(asked, 6.0f);
     if (s.curl > tolerance) asked = max(asked, 8.0f * s.curlTurns);
     if (s.frizz > tolerance) asked = max(asked, 2.0f * s.frizzWaves);

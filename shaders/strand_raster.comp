@@ -7,7 +7,7 @@
 // sub-pixel offsets this is the exact coverage, also of hairs far thinner than a pixel.
 //
 // There is one program for each STYLE (kStyle... of types.glsl) with and without SHAPED hair
-// (clumps, curls, frizz), so that what a coat does not use costs nothing.
+// (clumps, curls, frizz) and RODS, so that what a coat does not use costs nothing.
 #include "frame.glsl"
 #include "strand.glsl"
 #include "fiber.glsl"
@@ -246,10 +246,10 @@ void main() {
 #endif
     for (uint i = 0u; i <= segments; ++i) {
         float at = float(i) * dt;
-#ifdef SHAPED
+#if defined(SHAPED) || defined(RODS)
         vec4 clip = origin + frame.viewProjection * vec4(shapedOffset(s, at), 0.0);
 #else
-        vec2 k = strandWeights(at);
+        vec2 k = strandWeights(s, at);
         vec4 clip = origin + k.x * weightless + k.y * end;
 #endif
         points[i] = toWindow(clip, strandWidth(s, taper, at));

@@ -32,6 +32,15 @@ const uint kStyleRibbon = 2u;   // faces the eye, round in its shading; as many 
 const uint kStyleCurve = 3u;    // the same curve, one normal and one color for the entire hair
 const uint kStyleTube = 4u;     // NURBS surface: a narrow tube with normals of its own
 
+// How hair bends under its weight.
+const uint kDroopPaper = 0u;     // by the rule of the paper, 3.5
+const uint kDroopElastica = 1u;  // as a heavy elastic rod
+
+// The table of rods (core/elastica.h): nodes of each axis, and texels of each node.
+const uint kRodNodes = 64u;
+const uint kRodTexels = 4u;       // 3 of the polynomial, then greatest bend and contact
+const float kMostLoad = 1000.0f;  // of a rod
+
 struct Coat {                // one coat of hair; rows of the coat table (core/coat.h)
     vec3 ambient;            // linear RGB, reflectance for light from all sides
     float stiffness;         // [0,1], 1 - floppiness
@@ -55,6 +64,10 @@ struct Coat {                // one coat of hair; rows of the coat table (core/c
     float curlTurns;         // [0,20] from root to tip
     float frizz;             // [0,0.5] share of the length, at the tip
     float frizzWaves;        // [1,16] from root to tip
+    uint droop;              // kDroop..., how it bends under its weight
+    float softness;          // [0,1] of a rod: how much more it sags than stiffness alone lets it
+    uint pad0;
+    uint pad1;
 #ifdef __cplusplus
     bool operator==(const Coat&) const = default;
 #endif
@@ -85,7 +98,8 @@ struct Strand {        // one hair, ready to be evaluated; world space
     float spineLength; // m along the hair; 0 = no hair here
     vec3 weightless;   // unit, direction in which the hair leaves the skin
     float width;       // m, diameter at the root
-    vec3 end;          // unit, direction of the tip as seen from the root
+    vec3 end;          // unit, direction of the tip as seen from the root; of a rod: across the
+                       // weightless direction, to where it bends
     float scale;       // m, makes the curve exactly spineLength long
     vec3 binormal;     // unit, across the plane in which the hair bends
     float cosTwist;    // of the angle by which the shading normal is turned about the hair
@@ -105,6 +119,12 @@ struct Strand {        // one hair, ready to be evaluated; world space
     float frizz;       // m, at the tip; 0 = none
     float frizzWaves;  // from root to tip
     uint style;        // kStyle...
+    mat3x4 rod;        // of a rod, polynomial in t (rodWeights in shaders/rod.glsl)
+    mat3x4 guideRod;   // that of the guide
+    uint droop;        // kDroop...
+    float rodBend;     // greatest curvature over t of a rod of scale 1
+    uint pad0;
+    uint pad1;
 };
 
 struct Light {    // what lights the animal

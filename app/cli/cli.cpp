@@ -66,6 +66,7 @@ int runCommandLine(int argc, char** argv) {
     addAnimal(app, json);
     addPreset(app, json);
     addPresets(app, json);
+    addShapeError(app, json);
     app.final_callback([&] {
         if (!app.get_subcommands().empty()) return;
         if (haveDisplay()) {

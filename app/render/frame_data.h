@@ -46,7 +46,8 @@ enum Storage : unsigned {
     counters = 10,
     lines = 11,
     groups = 12,
-    segmentOf = 13
+    segmentOf = 13,
+    rodTable = 14
 };
 enum Texture : unsigned { baseColors = 0, skinDepth = 1 };
 }  // namespace binding

@@ -112,8 +112,8 @@ void requireCapabilities() {
         int needed;
         const char* name;
     } limits[] = {
-        {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 14, "storage buffers"},
-        {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 12, "storage buffers in a compute shader"},
+        {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 15, "storage buffers"},
+        {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 13, "storage buffers in a compute shader"},
         {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, 6, "storage buffers in a vertex shader"},
         {GL_MAX_COMPUTE_IMAGE_UNIFORMS, 1, "images in a compute shader"},
     };

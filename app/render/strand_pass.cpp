@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/elastica.h"
 #include "core/strand.h"
 
 namespace pelage {
@@ -33,17 +34,21 @@ StrandPass::StrandPass() : keyProgram_(Program::compute("depth_keys.comp")) {
 
 // Made when a coat first needs them.
 const StrandPass::Pair& StrandPass::programsOf(const Coat& coat) {
-    const bool shaped = isShapedCoat(coat);
-    const auto known = programs_.find({coat.style, shaped});
+    const bool shaped = isShapedCoat(coat), rods = coat.droop == kDroopElastica;
+    const Kind kind(coat.style, shaped, rods);
+    const auto known = programs_.find(kind);
     if (known != programs_.end()) return known->second;
     std::vector<std::string> defines{"STYLE " + std::to_string(coat.style)};
     if (shaped) defines.push_back("SHAPED");
+    if (rods) {
+        defines.push_back("RODS");
+        if (rodTable_.bytes() == 0)
+            rodTable_.upload(std::span(rodTable(), kRodNodes * kRodNodes * kRodTexels));
+    }
     Program color = Program::compute("strand_raster.comp", defines);
     defines.push_back("DEPTH_PASS");
     Program depth = Program::compute("strand_raster.comp", defines);
-    return programs_
-        .emplace(std::pair(coat.style, shaped), Pair{std::move(depth), std::move(color)})
-        .first->second;
+    return programs_.emplace(kind, Pair{std::move(depth), std::move(color)}).first->second;
 }
 
 // Both coats at once where they are drawn alike.
@@ -76,6 +81,7 @@ void StrandPass::draw(const Mirror& mirror, const Fur& fur, const FrameData& fra
     runs_.bindStorage(binding::runs);
     groups_.bindStorage(binding::groups);
     counters_.bindStorage(binding::counters);
+    if (rodTable_.bytes() > 0) rodTable_.bindStorage(binding::rodTable);
     glBindTextureUnit(binding::skinDepth, skinDepth.name());
     glBindImageTexture(0, picture.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16F);
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 #include <map>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "app/render/frame_data.h"
@@ -47,7 +47,7 @@ public:
               const gl::Texture& skinDepth);
     // Hairs that the last draw found not hidden; waits for the GPU.
     std::size_t hairsDrawn() const;
-    std::size_t bytes() const { return keys_.bytes() + runs_.bytes() + groups_.bytes(); }
+    std::size_t bytes() const { return keys_.bytes() + runs_.bytes() + groups_.bytes() + rodTable_.bytes(); }
 
 private:
     // The two passes of hair of one style, and the coats that they draw.
@@ -58,12 +58,14 @@ private:
         const Pair* programs;
         uint coats;
     };
+    using Kind = std::tuple<uint, bool, bool>;  // style, whether it is shaped, whether it is rods
     const Pair& programsOf(const Coat& coat);
     std::vector<Part> partsOf(const Fur& fur, uint coats);
 
     Program keyProgram_;
-    std::map<std::pair<uint, bool>, Pair> programs_;  // by style, and whether it is shaped
+    std::map<Kind, Pair> programs_;
     gl::Buffer keys_, runs_, groups_, counters_;
+    gl::Buffer rodTable_;  // filled when a coat first needs it
 };
 
 }  // namespace pelage

@@ -6,7 +6,10 @@
 #include <benchmark/benchmark.h>
 
 #include "bench_animal.h"
+#include "core/coat.h"
+#include "core/elastica.h"
 #include "core/scatter.h"
+#include "core/strand.h"
 #include "core/strands_out.h"
 
 namespace pelage::bench {
@@ -35,18 +38,35 @@ BENCHMARK(BM_Scatter)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
+// One hair on one core: where it hangs, without its points.
+void BM_BendStrand(benchmark::State& state) {
+    Coat coat = defaultFur().over;
+    coat.droop = static_cast<uint>(state.range(0));
+    rodTable();
+    std::vector<vec3> directions;
+    for (uint i = 0; i < 1024; ++i) directions.push_back(randomInBall(16u * i));
+    uint i = 0;
+    for (auto _ : state) {
+        const vec3 n = safeUnit(directions[i & 1023u], vec3(0, 1, 0));
+        Strand s = bendStrand(vec3(0), n, directions[(i + 1) & 1023u], 0.04f, coat, i, vec3(0, -1, 0));
+        benchmark::DoNotOptimize(s);
+        ++i;
+    }
+}
+BENCHMARK(BM_BendStrand)->Arg(kDroopPaper)->Arg(kDroopElastica)->ArgName("rods");
+
 void BM_GrowCurves(benchmark::State& state) {
-    const Animal& on = animal(100000);
-    const Roots roots = scatterRoots(*on.document.skin, static_cast<uint>(state.range(0)), 1);
-    std::size_t hairs = 0;
-    for (auto _ : state) hairs = growCurves(on.document, roots, 8).rootWidth.size();
+    Document document = animal(100000).document;
+    document.fur.over.droop = document.fur.under.droop = static_cast<uint>(state.range(1));
+    const Roots roots = scatterRoots(*document.skin, static_cast<uint>(state.range(0)), 1);
+    std::size_t hairs = growCurves(document, roots, 8).rootWidth.size();  // makes the table of rods
+    for (auto _ : state) hairs = growCurves(document, roots, 8).rootWidth.size();
     state.counters["hairs"] = static_cast<double>(hairs);
     state.counters["s_per_hair"] = perHair(hairs);
 }
 BENCHMARK(BM_GrowCurves)
-    ->Arg(90000)
-    ->Arg(500000)
-    ->ArgName("hairs")
+    ->ArgsProduct({{90000, 500000}, {kDroopPaper, kDroopElastica}})
+    ->ArgNames({"hairs", "rods"})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 

@@ -33,9 +33,11 @@ private:
 inline ::testing::Environment* const kGlEnvironment =
     ::testing::AddGlobalTestEnvironment(new GlEnvironment);
 
-// Shared files, expanded, under the version line of every shader.
-inline std::string shaderHead(const std::vector<std::string>& files) {
+// Shared files, expanded, under the version line of every shader and what it defines.
+inline std::string shaderHead(const std::vector<std::string>& files,
+                              const std::vector<std::string>& defines = {}) {
     std::string text = "#version 450 core\n";
+    for (const std::string& define : defines) text += "#define " + define + "\n";
     for (const std::string& file : files) text += expandShader(file).text;
     return text;
 }

@@ -69,7 +69,8 @@ const std::vector<Field> kCoat{
     FIELD(Coat, taper),         FIELD(Coat, relativeLength),  FIELD(Coat, style),
     FIELD(Coat, clump),         FIELD(Coat, clumpSize),       FIELD(Coat, clumpShape),
     FIELD(Coat, curlRadius),    FIELD(Coat, curlTurns),       FIELD(Coat, frizz),
-    FIELD(Coat, frizzWaves)};
+    FIELD(Coat, frizzWaves),    FIELD(Coat, droop),           FIELD(Coat, softness),
+    FIELD(Coat, pad0),          FIELD(Coat, pad1)};
 const std::vector<Field> kFur{FIELD(Fur, over.ambient),
                               FIELD(Fur, over.stiffness),
                               FIELD(Fur, over.diffuse),
@@ -92,6 +93,10 @@ const std::vector<Field> kFur{FIELD(Fur, over.ambient),
                               FIELD(Fur, over.curlTurns),
                               FIELD(Fur, over.frizz),
                               FIELD(Fur, over.frizzWaves),
+                              FIELD(Fur, over.droop),
+                              FIELD(Fur, over.softness),
+                              FIELD(Fur, over.pad0),
+                              FIELD(Fur, over.pad1),
                               FIELD(Fur, under.ambient),
                               FIELD(Fur, under.stiffness),
                               FIELD(Fur, under.diffuse),
@@ -114,6 +119,10 @@ const std::vector<Field> kFur{FIELD(Fur, over.ambient),
                               FIELD(Fur, under.curlTurns),
                               FIELD(Fur, under.frizz),
                               FIELD(Fur, under.frizzWaves),
+                              FIELD(Fur, under.droop),
+                              FIELD(Fur, under.softness),
+                              FIELD(Fur, under.pad0),
+                              FIELD(Fur, under.pad1),
                               FIELD(Fur, gravityDirection),
                               FIELD(Fur, gravity),
                               FIELD(Fur, share),
@@ -135,7 +144,8 @@ const std::vector<Field> kStrand{
     FIELD(Strand, guideOffset), FIELD(Strand, clump), FIELD(Strand, guideWeightless),
     FIELD(Strand, clumpShape), FIELD(Strand, guideEnd), FIELD(Strand, curl),
     FIELD(Strand, curlTurns), FIELD(Strand, frizz), FIELD(Strand, frizzWaves),
-    FIELD(Strand, style)};
+    FIELD(Strand, style), FIELD(Strand, rod), FIELD(Strand, guideRod), FIELD(Strand, droop),
+    FIELD(Strand, rodBend), FIELD(Strand, pad0), FIELD(Strand, pad1)};
 const std::vector<Field> kLight{FIELD(Light, toKey), FIELD(Light, key),    FIELD(Light, sky),
                                 FIELD(Light, pad0),  FIELD(Light, ground), FIELD(Light, pad1)};
 

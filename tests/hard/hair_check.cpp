@@ -34,16 +34,20 @@ std::string text(const Parts&... parts) {
 // How far from its root the hair at t can be, whatever its modifiers do.
 double reachAt(const Strand& s, float t) {
     const double k = s.clump > 0.0f ? s.clump * std::pow(t, s.clumpShape) : 0.0;
-    const vec2 along = strandWeights(t);
-    const double guide = glm::length(s.guideOffset) + along.x * glm::length(s.guideWeightless) +
-                         along.y * glm::length(s.guideEnd);
+    const vec2 along = guideWeights(s, t);
+    const double guide = glm::length(s.guideOffset) +
+                         std::abs(along.x) * glm::length(s.guideWeightless) +
+                         std::abs(along.y) * glm::length(s.guideEnd);
     return (1.0 - k) * s.spineLength + k * guide + t * (s.curl + 1.5 * s.frizz);
 }
 
 std::string lengthFault(Strand s, const Coat& coat, Worst& worst) {
     s.clump = s.curl = s.frizz = 0.0f;
+    const bool rod = s.droop == kDroopElastica;
+    if (rod) s.normal = vec3(0.0f);  // nothing is lifted off the skin
     // Chords are too short by c/N^2: two sums tell the length without c.
-    const double coarse = chordLength(s, 16), fine = chordLength(s, 32);
+    const int chords = rod ? 128 : 16;
+    const double coarse = chordLength(s, chords), fine = chordLength(s, 2 * chords);
     const double found = fine + (fine - coarse) / 3.0;
     const double helix =
         coat.curlRadius > 0.0f ? arcOfHelix(coat.curlRadius, coat.curlTurns) : 1.0f;

@@ -59,23 +59,26 @@ TEST(HardHair, EveryDirectionStiffnessPullAndLength) {
             for (const float stiffness : {0.0f, 0.02f, 0.98f, 1.0f, -1.0f, 2.0f, kNan})
                 for (const float weight : {0.0f, 0.5f, 1.0f, kNan})
                     for (const float randomness : {0.0f, 1.0f})
-                        for (const float furLength : {1e-12f, 1e-6f, 0.04f, 1e6f}) {
-                            Fur fur = defaultFur();
-                            fur.wind = randomness;
-                            fur.over.stiffness = fur.under.stiffness = stiffness;
-                            fur.over.directionWeight = fur.under.directionWeight = weight;
-                            fur.over.endRandomness = fur.under.endRandomness = randomness;
-                            fur.over.curlRadius = 0.5f;
-                            fur.over.curlTurns = 2.0f;
-                            const Strand s =
-                                Patch(n).grow({direction, furLength, vec3(1), 1.0f}, fur);
-                            const Coat& coat = s.coat == 0 ? fur.over : fur.under;
-                            ASSERT_EQ(test::faultOf(s, coat, worst), "")
-                                << "n " << n.x << "," << n.y << "," << n.z << " direction "
-                                << direction.x << "," << direction.y << "," << direction.z
-                                << " stiffness " << stiffness << " weight " << weight
-                                << " randomness " << randomness << " length " << furLength;
-                        }
+                        for (const uint droop : {kDroopPaper, kDroopElastica})
+                            for (const float furLength : {1e-12f, 1e-6f, 0.04f, 1e6f}) {
+                                Fur fur = defaultFur();
+                                fur.wind = randomness;
+                                fur.over.stiffness = fur.under.stiffness = stiffness;
+                                fur.over.directionWeight = fur.under.directionWeight = weight;
+                                fur.over.endRandomness = fur.under.endRandomness = randomness;
+                                fur.over.curlRadius = 0.5f;
+                                fur.over.curlTurns = 2.0f;
+                                fur.over.droop = fur.under.droop = droop;
+                                fur.over.softness = fur.under.softness = 0.7f * randomness;
+                                const Strand s =
+                                    Patch(n).grow({direction, furLength, vec3(1), 1.0f}, fur);
+                                const Coat& coat = s.coat == 0 ? fur.over : fur.under;
+                                ASSERT_EQ(test::faultOf(s, coat, worst), "")
+                                    << "n " << n.x << "," << n.y << "," << n.z << " direction "
+                                    << direction.x << "," << direction.y << "," << direction.z
+                                    << " stiffness " << stiffness << " weight " << weight
+                                    << " randomness " << randomness << " length " << furLength;
+                            }
     test::print(worst);
 }
 

@@ -1,0 +1,167 @@
+// rod.glsl -- a hair as a heavy elastic rod: its curve from the table of core/elastica.h.
+//
+// Part of strand.glsl, in its dialect. The hair is clamped at the root and bends under its own
+// weight. Its curve is a polynomial of degree 6 in t whose coefficients the table holds over the
+// angle between root and "up" and over the load; so points and tangents come from the same numbers,
+// and as a NURBS the hair is a single Bezier curve.
+
+const float kUprightBelow = 0.52359878f;  // rad from up; below it the load fades to 0 at upright
+const float kContactMargin = 0.001f;      // rad that the tip stays above the skin
+
+#ifndef __cplusplus
+#ifdef RODS
+layout(std430, binding = 14) readonly buffer RodTable { vec4 rodTable[]; };
+vec4 rodTexel(uint i) { return rodTable[i]; }
+const bool kRods = true;
+#else  // a program that draws none
+vec4 rodTexel(uint i) { return vec4(0.0); }
+const bool kRods = false;
+#endif
+#endif
+
+bool isRodCoat(Coat coat) { return kRods && coat.droop == kDroopElastica; }
+
+bool isRod(Strand s) { return kRods && s.droop == kDroopElastica; }
+
+// Angle of (x, y) from the x axis for y >= 0: [0, pi], within 3e-7. Abramowitz and Stegun,
+// "Handbook of Mathematical Functions", 1964, 4.4.49. (Drivers round atan each in its own way.)
+float angleOf(float x, float y) {
+    float a = abs(x);
+    float q = min(a, y) / max(max(a, y), 1e-30f);
+    float z = q * q;
+    float p = 0.0028662257f;
+    p = p * z - 0.0161657367f;
+    p = p * z + 0.0429096138f;
+    p = p * z - 0.0752896400f;
+    p = p * z + 0.1065626393f;
+    p = p * z - 0.1420889944f;
+    p = p * z + 0.1999355085f;
+    p = p * z - 0.3333314528f;
+    p = q + q * z * p;
+    if (y > a) p = 1.5707963f - p;
+    return x < 0.0f ? 3.1415927f - p : p;
+}
+
+// Cube root of x in [0,1]: a third of the exponent, then twice Halley's method.
+float cubeRoot(float x) {
+    x = max(x, 1e-24f);
+    float r = uintBitsToFloat(floatBitsToUint(x) / 3u + 709921077u);
+    for (uint i = 0u; i < 2u; ++i) {
+        float cube = r * r * r;
+        r = r * (cube + 2.0f * x) / (2.0f * cube + x);
+    }
+    return r;
+}
+
+// Places in the table, [0,1] each: of a root at this angle from up, and of a load.
+float rodColumn(float angle) {
+    float r = cubeRoot(angle * 0.31830989f);
+    return min(r * r, 1.0f);
+}
+float rodRow(float load) { return load / (load + 10.0f) * ((kMostLoad + 10.0f) / kMostLoad); }
+
+// Texel k of the table between its nodes.
+vec4 rodValue(float column, float row, uint k) {
+    float most = float(kRodNodes - 1u);
+    float x = column * most;
+    float y = row * most;
+    float i = min(floor(x), most - 1.0f);
+    float j = min(floor(y), most - 1.0f);
+    uint low = kRodTexels * (uint(i) * kRodNodes + uint(j)) + k;
+    uint high = low + kRodTexels * kRodNodes;
+    return mix(mix(rodTexel(low), rodTexel(low + kRodTexels), y - j),
+               mix(rodTexel(high), rodTexel(high + kRodTexels), y - j), x - i);
+}
+
+mat3x4 rodCurve(float column, float row) {
+    return mat3x4(rodValue(column, row, 0u), rodValue(column, row, 1u), rodValue(column, row, 2u));
+}
+
+// The share of its load that bends hair at this angle from up.
+float rodFade(float angle) {
+    float x = min(angle / kUprightBelow, 1.0f);
+    return x * x * (3.0f - 2.0f * x);
+}
+
+// The load of the rod that hangs like hair of the paper's rule under the load g = floppiness *
+// pull * cosine, [0,1]: the best fit over all directions, up to 11.4.
+float rodLoadLike(float g) {
+    float cube = g * g * g;
+    return 7.82f * g + cube * cube * (1.43f + 2.15f * g);
+}
+
+// The load of a coat's hair where its cosine to the skin's normal is c and it is pulled with this
+// strength, [0,1]. A soft hair is pulled whichever way it lies on the skin, as in nature.
+float rodLoad(Coat coat, float c, float strength) {
+    float softness = within(coat.softness, 0.0f, 1.0f);
+    float floppiness = within(1.0f - coat.stiffness, 0.02f, 1.0f);
+    float softer = 1.0f + 3.443f * softness;
+    return min(rodLoadLike(floppiness * within(strength, 0.0f, 1.0f) * mix(c, 1.0f, softness)) *
+                   (softer * softer * softer), kMostLoad);
+}
+
+// Weights of the two directions of its plane in the point at t of a rod: along the root, across.
+vec2 rodWeights(mat3x4 rod, float t) {
+    float square = t * t;
+    vec4 k = rod * vec3(t, t * square, t * square * square);
+    return vec2(k.x + t * k.z, k.y + t * k.w);
+}
+
+// Their derivative by t.
+vec2 rodSlope(mat3x4 rod, float t) {
+    float square = t * t;
+    vec4 odd = rod * vec3(1.0f, 3.0f * square, 5.0f * square * square);
+    vec4 even = rod * vec3(2.0f * t, 4.0f * t * square, 6.0f * t * square * square);
+    return vec2(odd.x + even.z, odd.y + even.w);
+}
+
+float rodSpeed(mat3x4 rod, float t) {
+    vec2 d = rodSlope(rod, t);
+    return sqrt(dot(d, d));
+}
+
+float rodSpeeds(mat3x4 rod, float away) {  // at two places about the middle
+    return rodSpeed(rod, 0.5f - away) + rodSpeed(rod, 0.5f + away);
+}
+
+// Length of the curve, by Gauss's rule with 12 points: within 1e-5.
+float rodLength(mat3x4 rod) {
+    return 0.12457352f * rodSpeeds(rod, 0.06261670f) + 0.11674627f * rodSpeeds(rod, 0.18391575f) +
+           0.10158371f * rodSpeeds(rod, 0.29365898f) + 0.08003916f * rodSpeeds(rod, 0.38495134f) +
+           0.05346966f * rodSpeeds(rod, 0.45205863f) + 0.02358767f * rodSpeeds(rod, 0.49078032f);
+}
+
+// The hair s, that leaves the skin along its weightless direction, as a rod under this load, where
+// `pull` pulls and `fallback` is a direction along the skin. Of all equilibria the one into which
+// it hangs; hair that stands nearly upright is stiffer than nature, so that no jump is seen where it
+// could fall to either side; and a load that would push the tip through the skin is lessened.
+Strand bendRod(Strand s, float load, vec3 pull, vec3 fallback) {
+    vec3 up = safeUnit(-pull, s.normal);
+    float along = dot(s.weightless, up);
+    vec3 level = along * s.weightless - up;  // across the root, downwards
+    float across = sqrt(dot(level, level));
+    s.end = safeUnit(across > 1e-6f ? level : fallback - dot(fallback, s.weightless) * s.weightless,
+                     anyTangent(s.weightless));
+    float angle = angleOf(along, across);
+    float column = rodColumn(angle);
+    float row = rodRow(load * rodFade(angle));
+    // From the root's direction down to the skin, in the plane of the hair.
+    float clear = angleOf(-dot(s.end, s.normal), dot(s.weightless, s.normal)) - kContactMargin;
+    float share = clamp(clear / max(3.1415927f - angle, 1e-6f), 0.0f, 1.0f);
+    row = min(row, rodValue(column, share, 3u).y);
+
+    s.rod = rodCurve(column, row);
+    if (s.style == kStyleLine) {
+        vec2 tip = rodWeights(s.rod, 1.0f);
+        vec3 straight = safeUnit(tip.x * s.weightless + tip.y * s.end, s.weightless);
+        s.end = safeUnit(s.end - dot(s.end, straight) * straight, anyTangent(straight));
+        s.weightless = straight;
+        s.rod = mat3x4(0.0f);
+        s.rod[0].x = 1.0f;
+    }
+    s.droop = kDroopElastica;
+    s.rodBend = s.style == kStyleLine ? 0.0f : rodValue(column, row, 3u).x;
+    s.scale = s.spineLength / rodLength(s.rod);
+    s.binormal = cross(s.end, s.weightless);
+    return s;
+}
