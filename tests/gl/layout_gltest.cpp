@@ -229,7 +229,7 @@ TEST(Layout, UniformBlocksLieAsTheDriverReadsThem) {
                     FIELD(FrameData, hairsPerArea),
                     FIELD(FrameData, coats),
                     FIELD(FrameData, textured),
-                    FIELD(FrameData, hairs),
+                    FIELD(FrameData, adapts),
                     FIELD(FrameData, seconds),
                     FIELD(FrameData, tolerance),
                     FIELD(FrameData, sides)});
