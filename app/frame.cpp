@@ -21,6 +21,7 @@ bool asking(const App& app) {
 
 void useKeys(App& app, FrameKeys& keys) {
     const bool typing = ImGui::GetIO().WantTextInput;
+    if (!std::exchange(keys.typing, typing) && typing) trace(app, "typing");
     app.dialogs.escape = app.dialogs.enter = false;
     for (const PressedKey& pressed : std::exchange(keys.pressed, {})) {
         const int key = pressed.key.key;

@@ -19,6 +19,7 @@ struct FrameKeys {
     bool moving = false;              // it changed so recently that frames must be quick
     Camera camera;                    // of the last frame
     bool ready = false;               // a finished picture was shown (traced once)
+    bool typing = false;              // keys go to a text field
 };
 
 // Between ImGui::NewFrame and ImGui::Render. `events` is true when input came since the last frame.

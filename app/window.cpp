@@ -36,6 +36,8 @@ struct Window {
     int redraws = 0;     // frames still needed for widgets to settle
     bool events = true;  // something came since the last frame
     bool closing = false;
+    double happened = 0.0;  // s, when something came last
+    bool rested = false;    // nothing goes on since then (traced once)
     std::string title;
     // Window units, as the events tell it: when a slow frame is over glfwGetCursorPos is ahead.
     vec2 cursor{-1.0f};
@@ -48,6 +50,8 @@ Window& windowOf(GLFWwindow* handle) {
 void happened(GLFWwindow* handle) {
     windowOf(handle).events = true;
     windowOf(handle).redraws = 2;
+    windowOf(handle).happened = glfwGetTime();
+    windowOf(handle).rested = false;
 }
 
 // The letter or digit that the key has on the user's layout, else GLFW's name for its place.
@@ -225,6 +229,17 @@ void followScale(Window& window) {
     ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the next frame makes them, with the new fonts
 }
 
+// Tells once that all that came is shown and nothing goes on by itself. Returns the seconds after
+// which to ask again.
+double traceRest(Window& window, double now) {
+    if (window.rested) return 1e9;
+    const double left = window.happened + kRest - now;
+    if (left > 0.0) return left;
+    window.rested = true;
+    trace(window.app, "rest");
+    return 1e9;
+}
+
 // Sleeps until something happens, or until something that goes on by itself needs a frame.
 void awaitEvents(Window& window) {
     App& app = window.app;
@@ -238,6 +253,10 @@ void awaitEvents(Window& window) {
     if (app.tips.wakeAt > 0.0) wait = std::min(wait, std::max(app.tips.wakeAt - now, 0.01));
     if (ImGui::GetIO().WantTextInput) wait = std::min(wait, 0.4);  // the cursor blinks
     if (glfwGetWindowAttrib(window.handle, GLFW_ICONIFIED)) wait = std::max(wait, 0.2);
+    if (wait <= 0.0 || window.keys.moving || app.work.running())
+        window.rested = false;
+    else if (app.trace)
+        wait = std::min(wait, traceRest(window, now));
     if (wait <= 0.0)
         glfwPollEvents();
     else if (wait < 1e6)

@@ -66,7 +66,10 @@ void Averages::Sum::add(double share, const Sum& other) {
 }
 
 Averages::Averages(const SkinQuery& query, Groom before, float reach)
-    : query_(&query), before_(std::move(before)), reach_(reach) {
+    : query_(&query),
+      before_(std::move(before)),
+      reach_(reach),
+      means_(query.skin().vertices.size(), Mean{}) {
     assert(reach > 0.0f);
 }
 
@@ -111,7 +114,12 @@ void Averages::enter(glm::ivec3 cell) {
     inside_ = true;
 }
 
-FurVertex Averages::around(uint v) {
+const FurVertex& Averages::around(uint v) {
+    if (!means_[v].known) means_.edit(v) = {meanAround(v), true};
+    return means_[v].fur;
+}
+
+FurVertex Averages::meanAround(uint v) {
     const Skin& skin = query_->skin();
     const SkinVertex& vertex = skin.vertices[v];
     enter(cellOf(vertex.position));

@@ -13,6 +13,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "chunked.h"
 #include "groom.h"
 #include "skin_query.h"
 
@@ -27,8 +28,8 @@ public:
     Averages(const SkinQuery& query, Groom before, float reach);
 
     // The mean around vertex v, in the world. An even field has its own value as mean, bit for bit.
-    // Sums the grid on the way, near v only.
-    FurVertex around(uint v);
+    // Sums the grid on the way, near v only; what was asked once costs nothing.
+    const FurVertex& around(uint v);
 
 private:
     // Of weight x value.
@@ -40,10 +41,15 @@ private:
     };
     using Cube = std::array<Sum, 6>;  // +x -x +y -y +z -z
     using Key = std::uint64_t;
+    struct Mean {
+        FurVertex fur{};
+        bool known = false;
+    };
 
     glm::ivec3 cellOf(vec3 position) const;
     void enter(glm::ivec3 cell);
     void sumCell(glm::ivec3 cell);
+    FurVertex meanAround(uint v);
 
     const SkinQuery* query_;
     Groom before_;
@@ -54,6 +60,7 @@ private:
     glm::ivec3 cell_{0};              // of the last vertex; neighbours in memory share it
     std::array<Cube*, 8> corners_{};  // its grid points
     std::vector<uint> found_;
+    Chunked<Mean> means_;  // of each vertex
 };
 
 // The mean over the one-ring of v, in the world; the vertex's own values where it has no ring.

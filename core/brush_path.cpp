@@ -10,7 +10,8 @@ namespace pelage {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr float kBent = 0.05f;  // of the radius
+constexpr float kBent = 0.05f;        // of the radius
+constexpr float kReachSteps = 12.0f;  // to the radius: alike pieces of path reach equally far
 
 // The space whose planes are mirrors: that of the mesh where all the skin is in one, else the
 // world.
@@ -95,17 +96,20 @@ void PathImage::advance(const SkinQuery& query, const PathPoint& to, bool alongS
     if (!goesOn) forget();
     if (!alongSurface) return;
     if (!(endGap_ < static_cast<double>(radius))) return forget();
-    if (open_ && glm::distance(*open_, end_) <= kLongestPiece * radius) return;
-    // What is within the radius of a piece is so far from its ends.
-    const float reach = (1.0f + kLongestPiece) * radius;
+    if (open_ && radius + glm::distance(*open_, end_) <= fromEnd_.reach()) return;
+    // What is within the radius of the piece is no farther than `needed` from its ends. On open
+    // skin more is measured, to serve the next pieces as well.
+    const float steps = std::ceil(kReachSteps * static_cast<float>(length_) / radius);
+    const float most = radius * (1.0f + kLongestPiece + 1.0f / kReachSteps);
+    const float needed = std::min(radius * (1.0f + steps / kReachSteps), most);
     std::swap(fromStart_, fromEnd_);
-    fromEnd_.measure(query, *to_.foot, reach);
+    fromEnd_.measure(query, *to_.foot, open_ ? most : needed);
     const bool startIsOpen = open_.has_value();
     open_.reset();
     if (fromEnd_.longestDetour() <= static_cast<double>(kBent * radius))
         open_ = end_;
-    else if (startIsOpen)
-        fromStart_.measure(query, *from_.foot, reach);
+    else if (length_ > 0.0 && (startIsOpen || fromStart_.reach() < needed))
+        fromStart_.measure(query, *from_.foot, needed);
 }
 
 void PathImage::forget() {

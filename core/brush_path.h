@@ -54,8 +54,8 @@ public:
     // Goes on to the next point. With `alongSurface` it measures along the skin how far vertices
     // within `radius` of the piece are, and then the point counts as far from them as it is from
     // its foot. On open skin, where the way along it is nowhere longer than the straight line by
-    // more than 5 % of the radius, a measurement serves a third of the radius, and the straight line
-    // counts.
+    // more than 5 % of the radius, one measurement serves the next third of the radius or more,
+    // and the straight line counts.
     void advance(const SkinQuery& query, const PathPoint& to, bool alongSurface, float radius);
 
     const PathPoint& from() const { return from_; }

@@ -12,7 +12,7 @@ namespace {
 constexpr uint kNone = ~0u;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr std::size_t kQueues = 64;        // rings of equal width up to the reach
-constexpr std::size_t kFirstSlots = 1024;  // a power of 2
+constexpr uint kPage = 32;                 // vertices in a row of the skin
 constexpr double kLeastGain = 1e-9;        // of the reach; smaller gains are rounding
 constexpr uint kMostTold = 8;              // once is usual; bounds the cost where triangles cross
 constexpr double kAlmost = 1.0 - 1e-8;
@@ -20,32 +20,23 @@ constexpr double kAlmost = 1.0 - 1e-8;
 }  // namespace
 
 void SurfaceDistance::clear() {
+    reach_ = 0.0;
     nodes_.clear();
-    std::fill(slots_.begin(), slots_.end(), Slot{kNone, kNone});
+    std::fill(pages_.begin(), pages_.end(), kNone);
 }
 
-// Where vertex v is in the table, or would be.
-std::size_t SurfaceDistance::slotOf(uint v) const {
-    const std::size_t wrap = slots_.size() - 1;
-    std::size_t slot = (v * std::size_t{0x9e3779b97f4a7c15} >> 32) & wrap;
-    while (slots_[slot].vertex != v && slots_[slot].vertex != kNone) slot = (slot + 1) & wrap;
-    return slot;
-}
-
-void SurfaceDistance::grow() {
-    slots_.assign(std::max(kFirstSlots, 2 * slots_.size()), {kNone, kNone});
-    for (uint node = 0; node < nodes_.size(); ++node)
-        slots_[slotOf(nodes_[node].vertex)] = {nodes_[node].vertex, node};
+void SurfaceDistance::addPage(std::size_t page) {
+    const std::vector<SkinVertex>& vertices = query_->skin().vertices;
+    pages_[page] = static_cast<uint>(nodes_.size());
+    const std::size_t end = std::min(vertices.size(), (page + 1) * kPage);
+    for (std::size_t v = page * kPage; v < end; ++v)
+        nodes_.push_back({vertices[v].position, static_cast<uint>(v), kInfinite});
 }
 
 uint SurfaceDistance::nodeOf(uint v) {
-    Slot& slot = slots_[slotOf(v)];
-    if (slot.vertex == v) return slot.node;
-    const uint node = static_cast<uint>(nodes_.size());
-    slot = {v, node};
-    nodes_.push_back({query_->skin().vertices[v].position, v, kInfinite});
-    if (2 * nodes_.size() > slots_.size()) grow();
-    return node;
+    const std::size_t page = v / kPage;
+    if (pages_[page] == kNone) addPage(page);
+    return pages_[page] + v % kPage;
 }
 
 void SurfaceDistance::improve(uint node, double distance) {
@@ -65,73 +56,72 @@ void SurfaceDistance::improve(uint node, double distance) {
     if (!queued) queues_[queue].push_back(node);
 }
 
-void SurfaceDistance::alongEdge(uint from, uint to) {
-    const Node& a = nodes_[from];
-    const Node& b = nodes_[to];
-    const double gain = b.distance - a.distance;
-    if (!(gain > 0.0)) return;
-    const glm::dvec3 edge = glm::dvec3(b.position) - glm::dvec3(a.position);
-    const double square = glm::dot(edge, edge);
-    if (gain * gain > square) improve(to, a.distance + std::sqrt(square));
+void SurfaceDistance::alongEdge(const Node& from, const Corner& to) {
+    const double gain = nodes_[to.node].distance - from.distance;
+    if (gain > 0.0 && gain * gain > to.square)
+        improve(to.node, from.distance + std::sqrt(to.square));
 }
 
-// The plane of the triangle has a at 0 and b at 1 on its axis, `to` above the axis and the point
-// from which is measured below it.
-void SurfaceDistance::acrossTriangle(uint a, uint b, uint to) {
-    const Node &first = nodes_[a], &second = nodes_[b], &third = nodes_[to];
-    const glm::dvec3 axis(second.position - first.position), side(third.position - first.position);
-    const double square = glm::dot(axis, axis), sideSquare = glm::dot(side, side);
-    const double far = first.distance * first.distance;
-    const double point2 = square + far - second.distance * second.distance;  // x 2 square
-    const double corner2 = 2.0 * glm::dot(axis, side);                       // x 2 square
+// The plane of the triangle has `from` at 0 and `second` at 1 on its axis, `third` above the axis
+// and the point from which is measured below it. All but the distance found is kept in multiples
+// of the axis' square, which saves divisions. Inlined it is half as dear.
+inline void SurfaceDistance::acrossTriangle(const Node& from, const Corner& second, const Corner& third,
+                                     double corner) {
+    const double square2 = 2.0 * second.square, far = from.distance * from.distance;
+    const double known = nodes_[second.node].distance, sofar = nodes_[third.node].distance;
+    const double point = second.square + far - known * known;
+    const double straight = square2 * (far + third.square) - corner * point;
     // No root is needed to see that the corner would not be nearer than it is, which settles most
-    // cases: its square would be far + sideSquare - corner2 point2 / 2 square + 2 below above.
-    const double gain =
-        corner2 * point2 - 2.0 * square * (far + sideSquare - third.distance * third.distance);
+    // cases.
+    const double gain = square2 * sofar * sofar - straight;
     if (!(gain > 0.0)) return;
-    if ((4.0 * square * far - point2 * point2) * (4.0 * square * sideSquare - corner2 * corner2) >=
-        kAlmost * gain * gain)
-        return;
-    if (!(square > 0.0)) return;
-    const double point = 0.5 * point2 / square, corner = 0.5 * corner2 / square;
-    if ((point < 0.0 && corner < 0.0) || (point > 1.0 && corner > 1.0)) return;
-    const double below = std::sqrt(std::max(0.0, far - point * point * square));
-    const double above = std::sqrt(std::max(0.0, sideSquare - corner * corner * square));
+    const double below2 = 2.0 * square2 * far - point * point;
+    const double above2 = 2.0 * square2 * third.square - corner * corner;
+    if (below2 * above2 >= kAlmost * gain * gain) return;
+    const double below = std::sqrt(std::max(0.0, below2));
+    const double above = std::sqrt(std::max(0.0, above2));
     const double height = below + above;
-    if (!(height > 0.0)) return;
-    const double crossing = (point * above + corner * below) / height;
-    if (!(crossing >= 0.0 && crossing <= 1.0)) return;
-    const double distance =
-        std::sqrt((corner - point) * (corner - point) * square + height * height);
-    if (distance * below <= reach_ * height) improve(to, distance);
+    const double crossing = point * above + corner * below;  // of height x square2
+    if (!(height > 0.0 && crossing >= 0.0 && crossing <= square2 * height)) return;
+    const double distance = std::sqrt((straight + below * above) / square2);
+    if (distance * below <= reach_ * height) improve(third.node, distance);
 }
 
 void SurfaceDistance::tellNeighbours(uint node) {
     nodes_[node].waiting = false;
     ++nodes_[node].told;
-    const bool along = nodes_[node].distance <= reach_;
-    uint last = kNone, lastNode = kNone;  // neighbours in the fan share a corner
-    for (const uvec2 others : query_->fan(nodes_[node].vertex)) {
+    const Node from = nodes_[node];
+    const bool along = from.distance <= reach_;
+    const auto cornerOf = [&](uint v) {
+        Corner corner{nodeOf(v), {}, 0.0};
+        corner.edge = glm::dvec3(nodes_[corner.node].position - from.position);
+        corner.square = glm::dot(corner.edge, corner.edge);
+        return corner;
+    };
+    uint last = kNone;  // neighbours in the fan share a corner
+    Corner first, second;
+    for (const uvec2 others : query_->fan(from.vertex)) {
         const bool shared = others.x == last;
-        const uint u = shared ? lastNode : nodeOf(others.x), w = nodeOf(others.y);
-        if (nodes_[u].distance < kInfinite) acrossTriangle(node, u, w);
-        if (nodes_[w].distance < kInfinite) acrossTriangle(node, w, u);
-        if (along && !shared) alongEdge(node, u);
-        if (along) alongEdge(node, w);
+        first = shared ? second : cornerOf(others.x);
+        second = cornerOf(others.y);
         last = others.y;
-        lastNode = w;
+        const double angle = 2.0 * glm::dot(first.edge, second.edge);
+        if (nodes_[first.node].distance < kInfinite) acrossTriangle(from, first, second, angle);
+        if (nodes_[second.node].distance < kInfinite) acrossTriangle(from, second, first, angle);
+        if (along && !shared) alongEdge(from, first);
+        if (along) alongEdge(from, second);
     }
 }
 
 void SurfaceDistance::measure(const SkinQuery& query, const SkinHit& from, float reach) {
     assert(reach > 0.0f);
     query_ = &query;
+    pages_.resize(query.skin().vertices.size() / kPage + 1);
+    clear();
     reach_ = reach;
     from_ = from.position;
     queue_ = 0;
     queues_.resize(kQueues + 1);
-    clear();
-    if (slots_.empty()) grow();
     const uvec3 corners = query.skin().triangles[from.triangle];
     for (int c = 0; c < 3; ++c)
         improve(nodeOf(corners[c]),
@@ -146,10 +136,9 @@ void SurfaceDistance::measure(const SkinQuery& query, const SkinHit& from, float
 }
 
 double SurfaceDistance::to(uint v) const {
-    if (nodes_.empty()) return kInfinite;
-    const Slot slot = slots_[slotOf(v)];
-    if (slot.vertex != v || nodes_[slot.node].distance > reach_) return kInfinite;
-    return nodes_[slot.node].distance;
+    if (nodes_.empty() || pages_[v / kPage] == kNone) return kInfinite;
+    const double distance = nodes_[pages_[v / kPage] + v % kPage].distance;
+    return distance <= reach_ ? distance : kInfinite;
 }
 
 double SurfaceDistance::longestDetour() const {

@@ -22,6 +22,8 @@ public:
     void measure(const SkinQuery& query, const SkinHit& from, float reach);
     void clear();
 
+    // m within which distances are known; 0 when nothing was measured.
+    double reach() const { return reach_; }
     // m from the point to vertex v; infinite when that is beyond the reach or no way leads there.
     double to(uint v) const;
     // m by which the way along the skin is longer than the straight line, at most, within the reach.
@@ -30,29 +32,32 @@ public:
 private:
     struct Node {
         vec3 position;  // m, world
-        uint vertex = 0;
+        uint vertex;
         double distance;       // m so far
         bool waiting = false;  // has to tell its neighbours
         uint told = 0;         // how often it did
     };
 
-    struct Slot {
-        uint vertex, node;
+    // Of a triangle around a node.
+    struct Corner {
+        uint node = 0;
+        glm::dvec3 edge{0.0};  // m, from the one node to this
+        double square = 0.0;   // m^2, of the edge
     };
 
-    std::size_t slotOf(uint v) const;
     uint nodeOf(uint v);
-    void grow();
+    void addPage(std::size_t page);
     void improve(uint node, double distance);
-    void alongEdge(uint from, uint to);
-    void acrossTriangle(uint a, uint b, uint to);
+    void alongEdge(const Node& from, const Corner& to);
+    void acrossTriangle(const Node& from, const Corner& second, const Corner& third,
+                        double corner);
     void tellNeighbours(uint node);
 
     const SkinQuery* query_ = nullptr;
     double reach_ = 0.0;
     vec3 from_{0.0f};  // m, world
-    std::vector<Node> nodes_;
-    std::vector<Slot> slots_;                // hash table of nodes by vertex
+    std::vector<Node> nodes_;  // of runs of vertices, which mostly lie together
+    std::vector<uint> pages_;  // the first node of each run of the skin's vertices, or none
     std::vector<std::vector<uint>> queues_;  // nodes that wait, by distance; the last: beyond reach
     std::size_t queue_ = 0;                  // the one at work
 };

@@ -14,12 +14,17 @@ struct BadLine {
     const char *line, *says;
 };
 
+// What a line is refused with.
+inline std::string errorOf(Workspace& workspace, std::string_view line) {
+    return refusal([&] { runLine(workspace, line); });
+}
+
 inline void expectRefused(std::span<const BadLine> lines) {
     Workspace workspace;
     workspace.open(evenDocument(ball(1)));
     const Document before = workspace.editor->document();
     for (const auto& [line, says] : lines) {
-        const std::string error = refusal([&, &text = line] { runLine(workspace, text); });
+        const std::string error = errorOf(workspace, line);
         EXPECT_NE(error.find(says), std::string::npos) << line << ": " << error;
         EXPECT_EQ(error.find('\n'), std::string::npos) << error;
     }

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
+#include "bad_lines.h"
 #include "canvas.h"
 #include "core/animal.h"
 #include "core/gltf_in.h"
@@ -21,6 +21,7 @@ namespace {
 
 using test::brushOf;
 using test::Canvas;
+using test::errorOf;
 using test::refusal;
 
 // A sheet whose left half is "a" and whose right half "b", and "c" that no skin belongs to.
@@ -43,10 +44,6 @@ bool sameBody(const Groom& a, const Groom& b) {
     for (std::size_t v = 0; v < a.segmentOf.size(); ++v)
         if (a.segmentOf[v] != b.segmentOf[v]) return false;
     return true;
-}
-
-std::string errorOf(Workspace& workspace, std::string_view line) {
-    return refusal([&] { runLine(workspace, line); });
 }
 
 TEST(Body, SegmentsAreFoundByNameOrNumber) {
@@ -315,8 +312,8 @@ TEST(SavedBody, IsRefusedWhereItNamesWhatIsNotThere) {
 }
 
 TEST(SavedBody, OfTheFoxIsThatOfItsJointsUntilItIsPainted) {
-    const std::string path = PELAGE_SHARED_DIR "/meshes/Fox.glb";
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
+    const std::string path = test::sharedMesh("Fox.glb");
+    if (path.empty()) GTEST_SKIP() << "Fox.glb is not there";
     Workspace workspace;
     workspace.open(openDocument(readSource(path)));
     EXPECT_FALSE(blockOf(reopened(workspace.editor->document())).contains("segments"));

@@ -14,18 +14,13 @@
 #include "gtest/gtest.h"
 #include "painted.h"
 #include "reading.h"
+#include "test_skins.h"
 
 namespace pelage {
 namespace {
 
 namespace fs = std::filesystem;
 using namespace test;
-
-template <typename T>
-bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
-    return a.size() == b.size() &&
-           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
-}
 
 void expectSameSource(const Source& a, const Source& b) {
     EXPECT_TRUE(sameBits(a.positions, b.positions));
@@ -431,35 +426,6 @@ TEST(GltfOut, ContainerIsAligned) {
     EXPECT_EQ(wordAt(bytes, 8), bytes.size());
     EXPECT_EQ(wordAt(bytes, 12) % 4, 0u);
     EXPECT_EQ(bytes.size() % 4, 0u);
-}
-
-TEST(PictureType, IsDecidedByTheFirstBytes) {
-    const auto of = [](std::string_view text) {
-        return pictureType(std::as_bytes(std::span(text)));
-    };
-    EXPECT_EQ(of("\x89PNG\r\n\x1A\nrest"), "image/png");
-    EXPECT_EQ(of("\xFF\xD8\xFF\xE0"), "image/jpeg");
-    EXPECT_EQ(of("RIFF1234WEBPVP8 "), "image/webp");
-    EXPECT_EQ(of("\xABKTX 20\xBB\r\n\x1A\n"), "image/ktx2");
-    EXPECT_EQ(of("GIF89a"), "");
-    EXPECT_EQ(of(""), "");
-}
-
-TEST(PlainPicture, HasThePixelsAndNoWordOfTheirColors) {
-    const auto chunk = [](const std::string& type, const std::string& data) {
-        return std::string(3, '\0') + static_cast<char>(data.size()) + type + data + "sum!";
-    };
-    const std::string start = "\x89PNG\r\n\x1A\n" + chunk("IHDR", "0123456789abc");
-    const std::string end = chunk("IDAT", "pixels") + chunk("IEND", "");
-    const auto plain = [](const std::string& text) {
-        const auto bytes = plainPicture(std::as_bytes(std::span(text)));
-        return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    };
-    EXPECT_EQ(plain(start + chunk("iCCP", "profile") + chunk("pHYs", "") + end), start + end);
-    EXPECT_EQ(plain(start + end), start + end);
-    const std::string cut = start + chunk("gAMA", "1234") + "IDAT";
-    EXPECT_EQ(plain(cut), cut);  // not understood to the end, so not touched
-    EXPECT_EQ(plain("\xFF\xD8\xFF jpeg"), "\xFF\xD8\xFF jpeg");
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 
 #include "animated.h"
 #include "core/gltf_in.h"
@@ -12,6 +11,7 @@
 #include "core/rig.h"
 #include "core/script.h"
 #include "core/strands_out.h"
+#include "test_skins.h"
 
 namespace pelage {
 namespace {
@@ -19,23 +19,13 @@ namespace {
 using test::addChannel;
 using test::GltfMaker;
 using test::refusal;
+using test::sameBits;
 
 std::shared_ptr<const Skin> skinOf(const GltfMaker& maker) {
     return makeSkin(readGltf(maker.glb(), ""));
 }
 
 Document documentOf(const GltfMaker& maker) { return openDocument(readGltf(maker.glb(), "")); }
-
-bool sameVertices(const Skin& a, const Skin& b) {
-    return a.vertices.size() == b.vertices.size() &&
-           std::memcmp(a.vertices.data(), b.vertices.data(),
-                       a.vertices.size() * sizeof(SkinVertex)) == 0;
-}
-
-bool sameFrames(const Skin& a, const Skin& b) {
-    return a.frames.size() == b.frames.size() &&
-           std::memcmp(a.frames.data(), b.frames.data(), a.frames.size() * sizeof(Frame)) == 0;
-}
 
 float farthestApart(const Skin& a, const Skin& b) {
     float far = 0.0f;
@@ -73,8 +63,8 @@ TEST(Pose, KeysAtRestGiveTheRestSkinBitForBit) {
     for (const float seconds : {0.0f, 0.3f, 1.0f}) {
         const auto posed = posedSkin(rest, {0, seconds, {}});
         EXPECT_NE(posed, rest);
-        EXPECT_TRUE(sameVertices(*posed, *rest));
-        EXPECT_TRUE(sameFrames(*posed, *rest));
+        EXPECT_TRUE(sameBits(posed->vertices, rest->vertices));
+        EXPECT_TRUE(sameBits(posed->frames, rest->frames));
         EXPECT_EQ(posed->lower, rest->lower);
         EXPECT_EQ(posed->upper, rest->upper);
         EXPECT_EQ(posed->radius, rest->radius);
@@ -181,7 +171,7 @@ TEST(Pose, TargetsMoveTheirVerticesByTheirWeights) {
     EXPECT_EQ(vertexOf(*rest, 2).position, vec3(0, 2, 0));  // the file's own weights
 
     const auto own = posedSkin(rest, {-1, 0.0f, {0.5f, 0.0f, 0.0f}});
-    EXPECT_TRUE(sameVertices(*own, *rest));
+    EXPECT_TRUE(sameBits(own->vertices, rest->vertices));
     const auto set = posedSkin(rest, {-1, 0.0f, {1.0f, 2.0f, 1.0f}});
     EXPECT_EQ(vertexOf(*set, 2).position, vec3(0, 3, 2));
     EXPECT_EQ(vertexOf(*set, 0).position, vec3(0, 0, 2));
@@ -206,7 +196,7 @@ TEST(Pose, NothingLeavesTheRangeOfFloats) {
     const auto rest = skinOf(maker);
     for (const int clip : {1, 2}) {
         const auto posed = posedSkin(rest, {clip, 0.5f, {}});
-        EXPECT_TRUE(sameVertices(*posed, *rest)) << clip;
+        EXPECT_TRUE(sameBits(posed->vertices, rest->vertices)) << clip;
     }
 }
 
@@ -359,20 +349,14 @@ TEST(PoseScript, AnotherSkinStandsAsTheOneBefore) {
     runLine(workspace, "pose bend 1");
     workspace.editor->edit([&](Document& document) { document = finer; });
     workspace.follow();
-    EXPECT_TRUE(sameVertices(*workspace.shown(), *posedSkin(finer.skin, {0, 1.0f, {}})));
+    EXPECT_TRUE(
+        sameBits(workspace.shown()->vertices, posedSkin(finer.skin, {0, 1.0f, {}})->vertices));
     EXPECT_EQ(&workspace.query->skin(), workspace.shown().get());
     workspace.editor->edit(
         [](Document& document) { document = documentOf(GltfMaker::triangle()); });
     workspace.follow();
     EXPECT_TRUE(workspace.pose.atRest());
     EXPECT_EQ(&workspace.query->skin(), workspace.editor->document().skin.get());
-}
-
-bool sameBits(const Groom& a, const Groom& b) {
-    for (std::size_t v = 0; v < a.fur.size(); ++v)
-        if (std::memcmp(&a.fur[v], &b.fur[v], sizeof(FurVertex)) != 0 || a.mask[v] != b.mask[v])
-            return false;
-    return true;
 }
 
 TEST(PoseScript, AStrokeOnAPoseEditsWhatItCoversThere) {

@@ -1,6 +1,7 @@
 // regions.h -- regions and a segmented skin for tests.
 #pragma once
 
+#include "canvas.h"
 #include "core/region.h"
 #include "test_skins.h"
 
@@ -11,6 +12,17 @@ inline Region regionOf(Where where, float falloff = 0.0f) {
     region.where = where;
     region.falloff = falloff;
     return region;
+}
+
+inline Region sphere(vec3 center, float radius, float falloff = 0.0f) {
+    Region region = regionOf(Where::sphere, falloff);
+    region.center = center;
+    region.radius = radius;
+    return region;
+}
+
+inline std::vector<float> weights(const Canvas& canvas, const Region& region) {
+    return regionWeights(canvas.query, canvas.groom, region);
 }
 
 inline RegionEdit edit(Channel channel, RegionAct act, float value) {

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <map>
 
+#include "bad_lines.h"
 #include "core/coat.h"
 #include "core/text.h"
 #include "reading.h"
@@ -16,6 +16,7 @@ namespace pelage {
 namespace {
 
 using test::Draws;
+using test::errorOf;
 using test::refusal;
 using test::TempFolder;
 
@@ -26,15 +27,7 @@ Workspace onBall() {
 }
 
 bool sameBits(const Document& a, const Document& b) {
-    for (std::size_t v = 0; v < a.groom.fur.size(); ++v) {
-        if (std::memcmp(&a.groom.fur[v], &b.groom.fur[v], sizeof(FurVertex)) != 0) return false;
-        if (std::memcmp(&a.groom.mask[v], &b.groom.mask[v], sizeof(float)) != 0) return false;
-    }
-    return a.fur == b.fur;
-}
-
-std::string errorOf(Workspace& workspace, std::string_view line) {
-    return refusal([&] { runLine(workspace, line); });
+    return test::sameBits(a.groom, b.groom) && a.fur == b.fur;
 }
 
 Brush randomBrush(Draws& draws) {

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <numbers>
 
 #include "core/animal.h"
@@ -168,8 +167,8 @@ TEST(HeadToTail, TurnsFromOneAxisToTheNextWithoutASeamAndKeepsBothBeyondIt) {
 TEST(HeadToTail, HasNoSeamOnTheAnimal) { expectNoSeam(*makeSkin(makeAnimal(60000)), 45.0f, 0.5f); }
 
 TEST(HeadToTail, HasNoSeamOnTheFox) {
-    const std::string path = PELAGE_SHARED_DIR "/meshes/Fox.glb";
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
+    const std::string path = test::sharedMesh("Fox.glb");
+    if (path.empty()) GTEST_SKIP() << "Fox.glb is not there";
     expectNoSeam(*makeSkin(readSource(path)), 60.0f, 0.5f);
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bad_lines.h"
 #include "core/animal.h"
 #include "core/body.h"
 #include "core/script.h"
@@ -13,16 +14,13 @@
 namespace pelage {
 namespace {
 
+using test::errorOf;
 using test::refusal;
 
 Workspace onAnimal() {
     Workspace workspace;
     workspace.open(groomedAnimal(2000));
     return workspace;
-}
-
-std::string errorOf(Workspace& workspace, std::string_view line) {
-    return refusal([&] { runLine(workspace, line); });
 }
 
 bool sameFur(const Groom& a, const Groom& b) {

@@ -1,8 +1,8 @@
 // subdivide_test.cpp -- a finer mesh with everything of the old one.
 #include "core/subdivide.h"
 
-#include <algorithm>
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <cmath>
 #include <cstring>
@@ -15,7 +15,6 @@
 #include "core/gltf_out.h"
 #include "core/half_edges.h"
 #include "core/mixed_weights.h"
-#include "core/script.h"
 #include "gltf_maker.h"
 #include "gltf_samples.h"
 #include "painted.h"
@@ -26,6 +25,7 @@ namespace {
 
 using test::GltfMaker;
 using test::refusal;
+using test::sameBits;
 using test::sharedMesh;
 
 Document paintedOf(Source source) {
@@ -34,12 +34,6 @@ Document paintedOf(Source source) {
     for (uint v = 0; v < document.groom.mask.size(); ++v)
         document.groom.mask.edit(v) = rand01(pcg(v + 99));
     return document;
-}
-
-template <typename T>
-bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
-    return a.size() == b.size() &&
-           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
 // What must hold for every mesh.
@@ -84,12 +78,12 @@ void expectSound(const Document& before, int levels) {
     // What is written opens again bit-equal.
     const std::vector<std::byte> glb = groomedGlb(after);
     const Document again = test::opened(glb);
-    EXPECT_TRUE(sameBytes(again.skin->source->positions, to.positions));
-    EXPECT_TRUE(sameBytes(again.skin->source->normals, to.normals));
-    EXPECT_TRUE(sameBytes(again.skin->source->uvs, to.uvs));
-    EXPECT_TRUE(sameBytes(again.skin->source->colors, to.colors));
-    EXPECT_TRUE(sameBytes(again.skin->source->triangles, to.triangles));
-    EXPECT_TRUE(sameBytes(again.skin->source->vertexToWorld, to.vertexToWorld));
+    EXPECT_TRUE(sameBits(again.skin->source->positions, to.positions));
+    EXPECT_TRUE(sameBits(again.skin->source->normals, to.normals));
+    EXPECT_TRUE(sameBits(again.skin->source->uvs, to.uvs));
+    EXPECT_TRUE(sameBits(again.skin->source->colors, to.colors));
+    EXPECT_TRUE(sameBits(again.skin->source->triangles, to.triangles));
+    EXPECT_TRUE(sameBits(again.skin->source->vertexToWorld, to.vertexToWorld));
     EXPECT_TRUE(std::ranges::equal(again.groom.body(), after.groom.body()));
     for (std::size_t v = 0; v < after.groom.segmentOf.size(); ++v)
         ASSERT_EQ(again.groom.segmentOf[v], after.groom.segmentOf[v]);
@@ -384,17 +378,6 @@ TEST(Subdivide, FilesOfOursDoNotGrowByIt) {
     EXPECT_FALSE(apart.json["meshes"][0]["primitives"][0]["attributes"].contains("TEXCOORD_2"));
 }
 
-TEST(Subdivide, AStrokeInProgressEndsWithItsSkin) {
-    Workspace workspace;
-    workspace.open(test::evenDocument(test::ball(2)));
-    runLine(workspace, "subdivide");
-    workspace.press(Brush{}, vec3(0, 1, 0), vec3(0, 1, 0));
-    workspace.undo();
-    workspace.drag(vec3(0.1f, 1, 0), vec3(0, 1, 0));
-    EXPECT_EQ(workspace.release(), "");
-    EXPECT_EQ(workspace.editor->undoLabel(), "");
-}
-
 TEST(Subdivide, RefusesWhatBecomesTooLargeWithNumbers) {
     const Document document = openDocument(test::ball(4));
     EXPECT_EQ(refusal([&] { subdivided(document, 8); }),
@@ -406,55 +389,6 @@ TEST(Subdivide, CanBeCancelled) {
     Progress progress;
     progress.cancel = true;
     EXPECT_THROW(subdivided(document, 1, &progress), Cancelled);
-}
-
-TEST(Subdivide, IsOneStepThatUndoTakesBackExactly) {
-    Workspace workspace;
-    workspace.open(test::evenDocument(test::ball(2)));
-    runLine(workspace, "stroke length add radius 0.5 : 0 1 0 0 1 0");
-    const Document before = workspace.editor->document();
-    runLine(workspace, "subdivide 2");
-    EXPECT_EQ(workspace.editor->stepCount(), 3u);
-    const Document after = workspace.editor->document();
-    EXPECT_EQ(after.skin->triangles.size(), 16 * before.skin->triangles.size());
-    EXPECT_EQ(&workspace.query->skin(), after.skin.get());
-    runLine(workspace, "undo");
-    EXPECT_TRUE(workspace.editor->document() == before);
-    EXPECT_EQ(&workspace.query->skin(), before.skin.get());
-    runLine(workspace, "stroke length add radius 0.5 : 0 0 1 0 0 1");
-    runLine(workspace, "undo");
-    EXPECT_TRUE(workspace.undo());
-    EXPECT_TRUE(workspace.redo());
-    EXPECT_TRUE(workspace.editor->document() == before);
-    EXPECT_FALSE(refusal([&] { runLine(workspace, "subdivide 0"); }) == "(not refused)");
-    EXPECT_FALSE(refusal([&] { runLine(workspace, "subdivide 1.5"); }) == "(not refused)");
-    EXPECT_TRUE(workspace.editor->document() == before);
-}
-
-TEST(Subdivide, LineIsReplayedBitForBit) {
-    const auto run = [] {
-        Workspace workspace;
-        workspace.open(test::evenDocument(test::ball(2)));
-        for (const char* line :
-             {"stroke comb radius 0.5 : 0 1 0 0 1 0 0.1 1 0 0 1 0", "subdivide",
-              "stroke length add radius 0.3 : 0 1 0 0 1 0", "undo", "undo", "redo", "subdivide",
-              "stroke density subtract radius 0.3 : 1 0 0 1 0 0", "flood smooth strength 0.5"})
-            runLine(workspace, line);
-        return groomedGlb(workspace.editor->document());
-    };
-    EXPECT_EQ(run(), run());
-}
-
-TEST(Subdivide, HistoryOfAFineMeshSharesItsSkin) {
-    Workspace workspace;
-    workspace.open(test::evenDocument(test::ball(2)));
-    runLine(workspace, "subdivide");
-    const auto skin = workspace.editor->document().skin;
-    const long held = skin.use_count();
-    for (int i = 0; i < 20; ++i)
-        runLine(workspace, "set over.stiffness 0." + std::to_string(i + 1));
-    EXPECT_EQ(workspace.editor->document().skin, skin);
-    EXPECT_GE(skin.use_count(), held + 10);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <map>
 #include <memory>
 #include <utility>
@@ -13,6 +14,22 @@
 #include "core/strand.h"
 
 namespace pelage::test {
+
+template <typename T>
+bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+// Of the fur and the mask.
+inline bool sameBits(const Groom& a, const Groom& b) {
+    if (a.fur.size() != b.fur.size()) return false;
+    for (std::size_t v = 0; v < a.fur.size(); ++v)
+        if (std::memcmp(&a.fur[v], &b.fur[v], sizeof(FurVertex)) != 0 ||
+            std::memcmp(&a.mask[v], &b.mask[v], sizeof(float)) != 0)
+            return false;
+    return true;
+}
 
 // The source of one mesh whose mesh space is the world moved by `toWorld`.
 inline Source oneMesh(std::vector<vec3> positions, std::vector<uvec3> triangles,

@@ -14,6 +14,7 @@
 
 #include "app/render/gl.h"
 #include "app/render/headless.h"
+#include "app/render/mirror.h"
 #include "app/render/program.h"
 #include "app/render/renderer.h"
 #include "core/source_check.h"
@@ -64,6 +65,15 @@ std::vector<T> valuesOf(GLuint buffer, std::size_t count) {
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glGetNamedBufferSubData(buffer, 0, static_cast<GLsizeiptr>(count * sizeof(T)), values.data());
     return values;
+}
+
+// What the mirror uploaded to a binding of frame.glsl.
+template <typename T>
+std::vector<T> uploaded(const Mirror& mirror, GLuint binding, std::size_t count) {
+    mirror.bind();
+    GLint name = 0;
+    glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, binding, &name);
+    return valuesOf<T>(static_cast<GLuint>(name), count);
 }
 
 using Pixels = std::vector<unsigned char>;  // RGBA8, as Renderer::pixels

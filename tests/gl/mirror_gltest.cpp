@@ -32,18 +32,11 @@ std::size_t chunks(const Groom& groom) {
     return groom.fur.chunkCount() + groom.mask.chunkCount() + groom.segmentOf.chunkCount();
 }
 
-GLuint boundBuffer(const Mirror& mirror, GLuint binding) {
-    mirror.bind();
-    GLint name = 0;
-    glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, binding, &name);
-    return static_cast<GLuint>(name);
-}
-
 void expectEqual(const Mirror& mirror, const Document& document) {
     const std::size_t count = document.skin->vertices.size();
-    const auto fur = test::valuesOf<FurVertex>(boundBuffer(mirror, binding::furVertices), count);
-    const auto mask = test::valuesOf<float>(boundBuffer(mirror, binding::mask), count);
-    const auto segments = test::valuesOf<uint>(boundBuffer(mirror, binding::segmentOf), count);
+    const auto fur = test::uploaded<FurVertex>(mirror, binding::furVertices, count);
+    const auto mask = test::uploaded<float>(mirror, binding::mask, count);
+    const auto segments = test::uploaded<uint>(mirror, binding::segmentOf, count);
     std::size_t different = 0;
     for (uint v = 0; v < count; ++v)
         different += segments[v] != document.groom.segmentOf[v] ||
@@ -132,8 +125,7 @@ TEST(Mirror, RootsChangeWithTheirNumberAndSeedOnly) {
     Mirror mirror;
     const auto rootsAfter = [&] {
         mirror.update(document);
-        const auto ids =
-            test::valuesOf<Root>(boundBuffer(mirror, binding::roots), mirror.roots().roots.size());
+        const auto ids = test::uploaded<Root>(mirror, binding::roots, mirror.roots().roots.size());
         std::vector<uint> result;
         for (const Root& root : ids) result.push_back(root.id);
         return result;

@@ -30,18 +30,10 @@ View viewOf(const Skin& skin) {
     return view;
 }
 
-template <typename T>
-std::vector<T> uploaded(const Mirror& mirror, GLuint binding, std::size_t count) {
-    mirror.bind();
-    GLint name = 0;
-    glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, binding, &name);
-    return test::valuesOf<T>(static_cast<GLuint>(name), count);
-}
-
 void expectHolds(const Mirror& mirror, const Document& document, const Skin& shown) {
     const std::size_t count = shown.vertices.size();
-    const auto vertices = uploaded<SkinVertex>(mirror, binding::skinVertices, count);
-    const auto fur = uploaded<FurVertex>(mirror, binding::furVertices, count);
+    const auto vertices = test::uploaded<SkinVertex>(mirror, binding::skinVertices, count);
+    const auto fur = test::uploaded<FurVertex>(mirror, binding::furVertices, count);
     std::size_t different = 0;
     for (uint v = 0; v < count; ++v)
         different += vertices[v].position != shown.vertices[v].position ||

@@ -4,6 +4,7 @@
 # gui_test.py [-v] PELAGE MESHES OUT: the program, the folder of shared meshes (the built-in animal
 # is used without it), and a folder for screenshots. What the editor did is read from its trace
 # (PELAGE_TRACE=1); what it wrote is compared with the same lines run by the command line.
+import functools
 import hashlib
 import json
 import os
@@ -20,7 +21,18 @@ import unittest
 import xdnd
 
 PELAGE, MESHES, OUT = sys.argv[-3:]
+BUNNY = os.path.join(MESHES, "stanford-bunny.obj")
 PATIENCE = 90  # s until a trace line must have come; software OpenGL on a busy machine is slow
+MADE = tempfile.TemporaryDirectory()  # of meshes, for all tests
+
+
+@functools.cache
+def furry(*source):
+    """A groomed .glb, made once, of as few hairs as software OpenGL draws quickly."""
+    path = os.path.join(MADE.name, f"{len(os.listdir(MADE.name))}.glb")
+    subprocess.run([PELAGE, "export", *source, "--hairs", "5000", "-o", path], check=True,
+                   stdout=subprocess.DEVNULL)
+    return path
 
 
 class Display:
@@ -57,6 +69,7 @@ class Editor:
             [PELAGE, *arguments], env=self.environment, text=True, stdout=subprocess.PIPE,
             stderr=self.complaints, cwd=folder)
         self.lines = queue.Queue()
+        self.latest = None  # of what was read from them since something was done
         threading.Thread(target=self._read, daemon=True).start()
 
     def _read(self):
@@ -75,17 +88,28 @@ class Editor:
             if line is None:
                 break
             seen.append(line)
+            self.latest = line
             if line.startswith(wanted):
                 return line[len(wanted):].strip()
         raise AssertionError(f"no '{wanted}' after {seen}; stderr: {self.stderr()}")
 
+    def settle(self):
+        """Until all that was done is shown."""
+        while self.latest != "trace: rest" or not self.lines.empty():
+            self.expect("")
+
     def ready(self):
         self.expect("opened")
         x, y, width, height = map(float, self.expect("ready, viewport").split())
+        self.settle()
         self.middle = (x + width / 2, y + height / 2)
         self.reach = min(width, height) / 10
 
     def do(self, *command):
+        """What was traced before is forgotten."""
+        while not self.lines.empty():
+            self.lines.get()
+        self.latest = None
         subprocess.run(["xdotool", *map(str, command)], env=self.environment, check=True)
 
     def window(self):
@@ -96,21 +120,27 @@ class Editor:
     def key(self, name):
         self.do("key", name)
 
+    def click(self, place):
+        """Once all before is shown, since a place is clicked that is seen."""
+        self.settle()
+        self.do("mousemove", *place, "sleep", "0.1", "click", 1)
+
     def drag(self, release=True):
-        x, y = self.middle
-        self.do("mousemove", int(x), int(y), "sleep", "0.2", "mousedown", 1)
+        x, y = map(int, self.middle)
+        path = ["mousemove", x, y, "sleep", "0.2", "mousedown", 1]
         for step in range(1, 6):
-            self.do("mousemove", int(x + step * self.reach / 5), int(y), "sleep", "0.05")
-        if release:
-            self.do("mouseup", 1)
+            path += ["mousemove", x + int(step * self.reach / 5), y, "sleep", "0.05"]
+        self.do(*path, *(["mouseup", 1] if release else []))
 
     def answer(self, key, path):
-        """Types a path into the dialog that the key opens."""
+        """Types a path over the one that the dialog of the key proposes."""
         self.key(key)
-        time.sleep(1)  # the name field takes the keyboard when the dialog is there
-        self.key("ctrl+a")
-        self.do("type", "--delay", "30", path)
-        time.sleep(1)
+        self.type(path)
+
+    def type(self, text):
+        """Into the field that takes the keyboard now."""
+        self.expect("typing")
+        self.do("type", "--delay", "10", text)
         self.key("Return")
 
     def save(self, path):
@@ -152,11 +182,12 @@ class WindowTest(unittest.TestCase):
         self.addCleanup(self.display.close)
         self.home = tempfile.TemporaryDirectory()
         self.addCleanup(self.home.cleanup)
-        self.mesh = os.path.join(MESHES, "stanford-bunny.obj")
-        if not os.path.exists(self.mesh):
-            self.mesh = self.path("animal.glb")
-            subprocess.run([PELAGE, "animal", "-o", self.mesh], check=True,
-                           stdout=subprocess.DEVNULL)
+        self.take(*([BUNNY] if os.path.exists(BUNNY) else ["--animal", "60000"]))
+
+    def take(self, *source):
+        """A mesh of its own: a furry copy of a file, or of the built-in animal."""
+        self.mesh = self.path("mesh.glb")
+        shutil.copy(furry(*source), self.mesh)
 
     def path(self, name):
         return os.path.join(self.home.name, name)
@@ -187,6 +218,7 @@ class WindowTest(unittest.TestCase):
 
 class EditorInAWindow(WindowTest):
     def test_a_painted_stroke_is_undone_redone_saved_and_read_again(self):
+        self.mesh = BUNNY if os.path.exists(BUNNY) else self.mesh
         editor = self.start(self.mesh)
         editor.ready()
         editor.key("l")
@@ -243,7 +275,6 @@ class EditorInAWindow(WindowTest):
         editor.save(self.path("saved.glb"))
         editor.key("ctrl+z")
         editor.expect("undo")
-        time.sleep(1)
         editor.process.send_signal(signal.SIGKILL)
         editor.process.wait()
 
@@ -261,9 +292,10 @@ class EditorInAWindow(WindowTest):
         self.assertNotEqual(self.fur(saved), self.fur(self.path("saved.glb")))
 
     def test_a_press_on_a_playing_animal_paints_it_as_it_stands(self):
-        self.mesh = os.path.join(MESHES, "Fox.glb")
-        if not os.path.exists(self.mesh):
+        fox = os.path.join(MESHES, "Fox.glb")
+        if not os.path.exists(fox):
             self.skipTest("Fox.glb is not there")
+        self.take(fox)
         editor = self.start(self.mesh)
         editor.ready()
         editor.key("space")
@@ -307,19 +339,16 @@ class EditorInAWindow(WindowTest):
             return hashlib.sha256(file.read()).hexdigest()
 
     def stroke(self, editor):
-        """With whatever brush: right after a dialog the key of one may have gone to the dialog."""
         editor.drag()
-        editor.expect("commit")
+        editor.expect("commit Length")
 
     def test_an_arrow_of_the_body_is_dragged_and_its_segment_painted(self):
-        self.mesh = self.path("animal.glb")
-        subprocess.run([PELAGE, "animal", "--triangles", "20000", "-o", self.mesh], check=True,
-                       stdout=subprocess.DEVNULL)
+        self.take("--animal", "20000")
         editor = self.start(self.mesh)
         editor.ready()
-        for place in ((1167, 80), (1040, 170)):  # the tab Body, the row of the left ear
-            editor.do("mousemove", *place, "sleep", "0.3", "mousedown", 1, "sleep", "0.2",
-                      "mouseup", 1, "sleep", "0.5")
+        editor.click((1167, 80))  # the tab Body
+        editor.click((1040, 170))  # the row of the left ear
+        editor.settle()
         editor.do("mousemove", 478, 186)  # the tip of that ear
         editor.expect("in reach: tip")
         editor.do("mousedown", 1, "sleep", "0.2", "mousemove", 500, 170, "sleep", "0.2",
@@ -359,7 +388,6 @@ class EditorInAWindow(WindowTest):
                        stdout=subprocess.DEVNULL)
         self.assertEqual(self.fur(none), self.fur(self.path("untouched.glb")))
 
-        time.sleep(2)  # until keys reach the tools again
         again.key("l")
         self.stroke(again)
         again.answer("ctrl+e", self.path("one.glb"))
@@ -387,7 +415,7 @@ class EditorInAWindow(WindowTest):
         self.stroke(editor)
         before = self.fur(path)
         editor.answer("ctrl+e", path)
-        time.sleep(1)
+        editor.settle()
         editor.key("Return")  # yes, replace it
         editor.expect("exported")
         again = self.restore(editor)
@@ -403,27 +431,22 @@ class EditorInAWindow(WindowTest):
         shutil.copy(self.mesh, dropped)
         xdnd.drop(self.display.name, editor.window(), dropped)
         self.assertEqual(editor.expect("opened"), dropped)
-        time.sleep(2)  # until the window is drawn again
         # File, Open recent, and the second: the first is what is open.
-        for x, y in ((25, 12), (60, 60), (320, 80)):
-            editor.do("mousemove", x, y, "sleep", "0.5", "click", 1, "sleep", "1")
+        for place in ((25, 12), (60, 60), (320, 80)):
+            editor.click(place)
         self.assertEqual(editor.expect("opened"), os.path.normpath(self.mesh))
         self.assertEqual(editor.close(), 0)
 
     def test_subdividing_is_one_step_that_is_undone_redone_and_replayed(self):
-        coarse = self.path("coarse.glb")
-        subprocess.run([PELAGE, "animal", "--triangles", "2000", "-o", coarse], check=True,
-                       stdout=subprocess.DEVNULL)
-        editor = self.start(coarse)
+        self.take("--animal", "2000")
+        editor = self.start(self.mesh)
         editor.ready()
-        # Mesh, Subdivide...
-        for x, y in ((205, 12), (225, 41)):
-            editor.do("mousemove", x, y, "sleep", "0.5", "click", 1, "sleep", "1")
+        editor.click((205, 12))  # Mesh
+        editor.click((225, 41))  # Subdivide...
         editor.expect("asked subdivide")
-        time.sleep(1)
         editor.key("Return")
         editor.expect("commit Subdivide")
-        time.sleep(2)  # until the window is drawn again
+        editor.settle()
         editor.drag()
         editor.expect("commit Comb")
         for key, step in (("ctrl+z", "undo Comb"), ("ctrl+z", "undo Subdivide"),
@@ -434,18 +457,18 @@ class EditorInAWindow(WindowTest):
         self.assertIn("\nsubdivide\n", lines)
         saved = editor.save(self.path("fine.glb"))
         self.assertReplayGives(lines, saved)
-        self.assertEqual(self.info(saved)["triangles"], 4 * self.info(coarse)["triangles"])
+        self.assertEqual(self.info(saved)["triangles"], 4 * self.info(self.mesh)["triangles"])
         self.assertEqual(editor.close(), 0)
 
     def test_dragging_a_slider_is_one_step(self):
         editor = self.start(self.mesh)
         editor.ready()
-        editor.do("mousemove", 1130, 199, "sleep", "0.3", "mousedown", 1)
+        path = ["mousemove", 1130, 199, "sleep", "0.3", "mousedown", 1]
         for x in range(1134, 1170, 4):
-            editor.do("mousemove", x, 199, "sleep", "0.1")
-        editor.do("mouseup", 1)
+            path += ["mousemove", x, 199, "sleep", "0.1"]
+        editor.do(*path, "mouseup", 1)
         editor.expect("commit Share of overcoat")
-        time.sleep(1)
+        editor.settle()
         lines = editor.journal().splitlines()
         self.assertEqual(len(lines), 2, lines)
         self.assertTrue(lines[1].startswith("set fur.share "), lines)
@@ -453,17 +476,11 @@ class EditorInAWindow(WindowTest):
         editor.expect("undo Share of overcoat")
         self.assertEqual(editor.close(), 0)
 
-    def click(self, editor, *places):
-        for x, y in places:
-            editor.do("mousemove", x, y, "sleep", "0.5", "click", 1, "sleep", "1")
-
     def test_a_saved_preset_is_put_on_again_and_needs_no_file_afterwards(self):
         editor = self.start(self.mesh)
         editor.ready()
-        self.click(editor, (1218, 133))
-        editor.do("type", "--delay", "30", "mine")
-        time.sleep(1)
-        editor.key("Return")
+        editor.click((1218, 133))
+        editor.type("mine")
         self.assertEqual(editor.expect("kept"), "mine")
         editor.expect("pictures")
         folder = os.path.join(editor.folder, "data", "pelage", "presets")
@@ -473,12 +490,14 @@ class EditorInAWindow(WindowTest):
 
         # The list: one's own at the top, the program's below it.
         mink, own = (995, 480), (898, 220)
-        self.click(editor, (1050, 133))
+        editor.click((1050, 133))
         editor.expect("pictures")
+        editor.settle()
         self.shoot("presets.png")
-        self.click(editor, mink)
+        editor.click(mink)
         self.assertEqual(editor.expect("commit"), "Preset mink")
-        self.click(editor, (1050, 133), own)
+        editor.click((1050, 133))
+        editor.click(own)
         self.assertEqual(editor.expect("commit"), "Preset mine")
         editor.key("ctrl+z")
         self.assertEqual(editor.expect("undo"), "Preset mine")
@@ -490,8 +509,7 @@ class EditorInAWindow(WindowTest):
             json.dump(mine, file)
         xdnd.drop(self.display.name, editor.window(), dropped)
         self.assertEqual(editor.expect("commit"), "Preset other")
-        time.sleep(2)  # until the window is drawn again
-        self.click(editor, (1012, 163))
+        editor.click((1012, 163))
         self.assertEqual(editor.expect("kept"), "other")
         self.assertEqual(sorted(os.listdir(folder)), ["mine.fur.json", "other.fur.json"])
 
@@ -511,9 +529,8 @@ class EditorInAWindow(WindowTest):
         editor.expect("commit Comb")
         editor.key("ctrl+q")
         editor.expect("asked unsaved")
-        time.sleep(1)
         editor.key("Escape")
-        time.sleep(1)
+        editor.settle()
         self.assertIsNone(editor.process.poll(), "Esc goes on editing")
         editor.key("ctrl+z")
         editor.expect("undo")
@@ -524,11 +541,11 @@ class EditorInAWindow(WindowTest):
         with open(bad, "wb") as file:
             file.write(b"glTF\x02\x00\x00\x00\xff\xff\xff\x7f")
         editor = self.start(bad)
-        time.sleep(4)
+        editor.settle()
         self.assertIsNone(editor.process.poll(), "the editor stays open")
         self.shoot("bad.png")
         editor.key("Return")
-        time.sleep(1)
+        editor.settle()
         self.assertEqual(editor.close(), 1)
         complaints = [line for line in editor.stderr().splitlines() if "bad.glb" in line]
         self.assertEqual(len(complaints), 1, editor.stderr())

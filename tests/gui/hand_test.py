@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
 # hand_test.py -- what the hand does in the window beyond a plain stroke; run like gui_test.py.
-import time
 import unittest
 
 import gui_test
@@ -40,9 +39,6 @@ class Hand(gui_test.WindowTest):
         editor.ready()
         return editor
 
-    def click(self, editor, place):
-        editor.do("mousemove", *place, "sleep", "0.5", "click", 1, "sleep", "2")
-
     def last(self, editor):
         return editor.journal().splitlines()[-1]
 
@@ -53,7 +49,8 @@ class Hand(gui_test.WindowTest):
         editor.expect("commit Length")
         x, y = editor.middle
         editor.do("keydown", "shift", "mousemove", int(x - 1.5 * editor.reach),
-                  int(y + editor.reach), "sleep", "1")
+                  int(y + editor.reach))
+        editor.settle()
         self.shoot("straight.png")
         editor.do("click", 1)
         editor.expect("commit Length")
@@ -74,7 +71,6 @@ class Hand(gui_test.WindowTest):
         editor.expect("undo Length")
         editor.key("ctrl+shift+z")
         editor.expect("redo")
-        time.sleep(2)  # until the picture rests and the dialog comes at once
         lines = editor.journal()
         saved = editor.save(self.path("line.glb"))
         self.assertEqual(editor.close(), 0)
@@ -85,7 +81,7 @@ class Hand(gui_test.WindowTest):
         editor.key("l")
         editor.key("g")
         editor.drag(release=False)
-        time.sleep(1)
+        editor.settle()
         self.shoot("gradient.png")
         editor.do("mouseup", 1)
         editor.expect("commit Gradient of length")
@@ -95,7 +91,7 @@ class Hand(gui_test.WindowTest):
         words = self.last(editor).split()
         self.assertNotEqual(words[3:6], words[8:11], "two places")
         editor.key("Escape")
-        time.sleep(2)
+        editor.settle()
         saved = editor.save(self.path("gradient.glb"))
         editor.key("ctrl+z")
         editor.expect("undo Gradient of length")
@@ -112,11 +108,11 @@ class Hand(gui_test.WindowTest):
         lengths = found["fields"].get("length", first)
         editor.key("l")
         x, y = editor.middle
-        editor.do("mousemove", int(x), int(y), "sleep", "0.5", "key", "e")
+        editor.do("mousemove", int(x), int(y), "sleep", "0.2", "key", "e")
         picked = float(editor.expect("picked length"))
         self.assertGreater(picked, lengths["min"] - 1e-5 * size)
         self.assertLess(picked, lengths["max"] + 1e-5 * size)
-        editor.do("key", "d", "sleep", "0.5", "mousemove", int(x), int(y), "sleep", "0.5", "key", "e")
+        editor.do("key", "d", "key", "e")
         self.assertEqual(float(editor.expect("picked density")), 1.0)
         self.shoot("picked.png")
         editor.process.kill()
@@ -124,12 +120,13 @@ class Hand(gui_test.WindowTest):
     def test_buttons_and_keys_change_the_whole_mask(self):
         editor = self.open()
         editor.key("m")
-        time.sleep(1)
+        editor.settle()
         self.shoot("mask.png")
-        self.click(editor, FILL)
+        editor.click(FILL)
         editor.expect("commit Mask: fill")
-        self.click(editor, CLEAR)
+        editor.click(CLEAR)
         editor.expect("commit Mask: clear")
+        editor.settle()
         editor.drag()
         editor.expect("commit Mask")
         editor.key("ctrl+i")
@@ -146,21 +143,21 @@ class Hand(gui_test.WindowTest):
 
     def test_a_lasso_is_the_region(self):
         editor = self.open()
-        self.click(editor, REGIONS)
-        self.click(editor, WHERE)
-        self.click(editor, LASSO)
-        self.click(editor, DRAW)
+        for place in (REGIONS, WHERE, LASSO, DRAW):
+            editor.click(place)
+        editor.settle()
         x, y = map(int, editor.middle)
         r = int(editor.reach)
         editor.do("mousemove", x, y, "sleep", "0.3", "mousedown", 1)
         for dx, dy in ((r, 0), (r, r), (0, r)):
-            editor.do("mousemove", x + dx, y + dy, "sleep", "0.5")
+            editor.do("mousemove", x + dx, y + dy)
+            editor.settle()
         self.shoot("lasso.png")
         editor.do("mouseup", 1)
         self.assertEqual(editor.expect("lasso"), "4")
-        time.sleep(1)
+        editor.settle()
         self.shoot("lasso-drawn.png")
-        self.click(editor, APPLY)
+        editor.click(APPLY)
         editor.expect("commit Region lasso: length scale")
         lines = editor.journal()
         self.assertIn("region lasso eye ", lines)
@@ -173,8 +170,8 @@ class Hand(gui_test.WindowTest):
         editor.key("l")
         editor.do("keydown", "z")
         editor.drag()
-        editor.do("keyup", "z")
         editor.expect("commit Length")
+        editor.do("keyup", "z")
         pressures = [point[6] for point in numbers(self.last(editor))]
         self.assertEqual(set(pressures), {0.15})
         editor.drag()
@@ -185,12 +182,14 @@ class Hand(gui_test.WindowTest):
     def test_the_radius_in_screen_units_follows_the_distance(self):
         editor = self.open()
         editor.key("l")
-        self.click(editor, PX)
+        editor.click(PX)
+        editor.settle()
         radii = []
         for zoomed in (False, True):
             if zoomed:
                 x, y = map(int, editor.middle)
-                editor.do("mousemove", x, y, "click", 4, "sleep", "0.3", "click", 4, "sleep", "2")
+                editor.do("mousemove", x, y, "click", 4, "sleep", "0.3", "click", 4)
+                editor.settle()
                 self.shoot("nearer.png")
             editor.drag()
             editor.expect("commit Length")
@@ -208,7 +207,7 @@ class Hand(gui_test.WindowTest):
         free = numbers(self.last(editor))
         self.drawString(editor)
         editor.drag(release=False)
-        time.sleep(1)
+        editor.settle()
         self.shoot("string.png")
         editor.do("mouseup", 1)
         editor.expect("commit Length")
@@ -219,10 +218,12 @@ class Hand(gui_test.WindowTest):
 
     def drawString(self, editor):
         """Drags the bar of the stabiliser."""
-        editor.do("mousemove", 100, 600, "sleep", "0.5", "click", "--repeat", 30, 5, "sleep", "2")
+        editor.do("mousemove", 100, 600, "sleep", "0.2", "click", "--repeat", 30, 5)
+        editor.settle()
         self.shoot("panel-end.png")
-        editor.do("mousemove", *STRING, "sleep", "1", "mousedown", 1, "sleep", "1", "mousemove",
-                  STRING[0] + 12, STRING[1], "sleep", "1", "mouseup", 1, "sleep", "1")
+        editor.do("mousemove", *STRING, "sleep", "0.2", "mousedown", 1, "sleep", "0.2", "mousemove",
+                  STRING[0] + 12, STRING[1], "sleep", "0.2", "mouseup", 1)
+        editor.settle()
 
 
 if __name__ == "__main__":

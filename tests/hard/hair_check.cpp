@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <iostream>
 #include <sstream>
 #include <vector>
 
 #include "core/clumps.h"
 #include "core/strands_out.h"
+#include "test_skins.h"
 
 namespace pelage::test {
 namespace {
@@ -195,11 +195,7 @@ Roots rootsOf(const Document& document, int threads) {
 }
 
 bool sameRoots(const Roots& a, const Roots& b) {
-    const auto same = [](const auto& x, const auto& y) {
-        return x.size() == y.size() &&
-               (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof x[0]) == 0);
-    };
-    return same(a.roots, b.roots) && same(a.clusters, b.clusters);
+    return sameBits(a.roots, b.roots) && sameBits(a.clusters, b.clusters);
 }
 
 std::string faultOf(const Document& document, Worst& worst) {
