@@ -80,10 +80,9 @@ void drawPicture(App& app, Renderer& renderer, FrameKeys& keys, double now, bool
     view.showOver = options.showOver;
     view.showUnder = options.showUnder;
     view.segments = static_cast<uint>(options.segments);
-    view.cullByDistance = options.cullByDistance;
     view.seconds = options.windSeconds;
-    view.share = options.share;
-    view.budget = moving ? options.budget : 0.0f;
+    view.detail = options.detail;
+    if (!moving) view.detail.milliseconds = 0.0f;
     view.samples = moving ? 1 : options.samples;
     view.posed = app.workspace.posed;
     view.background = {0.040f, 0.043f, 0.050f};

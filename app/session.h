@@ -15,11 +15,9 @@ namespace pelage {
 struct ViewOptions {
     Overlay overlay = Overlay::none;
     bool showSkin = true, showOver = true, showUnder = true;
-    int segments = 8;  // of a hair, [1, 16]
-    bool cullByDistance = true;
-    float share = 1.0f;     // upper bound of the share of the hairs, (0,1]
-    float budget = 0.045f;  // s per frame while the hand moves
-    int samples = 16;       // that the resting picture averages
+    int segments = 8;                      // of a hair, [1, 16]
+    Detail detail{.milliseconds = 45.0f};  // the time holds while the hand moves
+    int samples = 16;                      // that the resting picture averages
     bool playWind = false;
     float windSeconds = 0.0f;  // how long the wind has blown
 };

@@ -16,6 +16,7 @@ vec3 randomInBall(uint id);
 float arcOfUnitCurve(float m);
 float arcOfHelix(float radius, float turns);
 float rankOf(uint i, float phase, float step);
+float fadedWidth(float rank, float lod, float fade);
 float spaceNoise(vec3 p);
 vec3 pullAt(Fur fur, vec3 place, float seconds);
 

@@ -10,14 +10,14 @@ layout(std140, binding = 0) uniform FrameBlock {
     Light light;
     vec2 overlayRange;     // values shown as the coldest and the hottest color
     uint overlay;          // enum Overlay
-    uint segments;         // of a polyline
+    uint segments;         // of a polyline; at most, if they adapt
     ivec2 size;            // pixels
     float overWidth;       // m, width of overcoat hair at the root
     float underWidth;
     float hairsPerArea;    // 1/m^2 at density 1
     uint coats;            // bit 0: draw the overcoat, bit 1: the undercoat
     uint textured;         // 1 if corners carry texture coordinates or colors
-    uint hairs;            // in this dispatch
+    uint adapts;           // 1: polylines have the segments that the tolerance needs
     float seconds;         // how long the wind has blown
     float tolerance;       // pixels by which the chords of a curve may miss it
     uint sides;            // of a tube; 0 = as many as it needs

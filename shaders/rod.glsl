@@ -10,7 +10,7 @@ const float kContactMargin = 0.001f;      // rad that the tip stays above the sk
 
 #ifndef __cplusplus
 #ifdef RODS
-layout(std430, binding = 14) readonly buffer RodTable { vec4 rodTable[]; };
+layout(std430, binding = 15) readonly buffer RodTable { vec4 rodTable[]; };
 vec4 rodTexel(uint i) { return rodTable[i]; }
 const bool kRods = true;
 #else  // a program that draws none

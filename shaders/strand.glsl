@@ -106,6 +106,16 @@ float rankOf(uint i, float phase, float step) {
     return min((float(i) + phase) * step, 0.99999994f);
 }
 
+// Share of its full width that a hair has where the share `lod` of the hairs is drawn: 1/lod up to a
+// rank, then falling to 0 at rank `fade`, in [lod, 2 lod]. The sum of all widths stays that of the
+// full coat. Cook et al., "Stochastic Simplification of Aggregate Detail", 2007.
+float fadedWidth(float rank, float lod, float fade) {
+    float full = 2.0f * lod - fade;
+    float share = rank <= full ? 1.0f
+                               : clamp((fade - rank) / max(fade - full, 1e-9f), 0.0f, 1.0f);
+    return share / lod;
+}
+
 bool isOvercoat(uint id, float share) { return rand01(id + kDrawCoat) < share; }
 
 #include "rod.glsl"

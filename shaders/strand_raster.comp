@@ -39,10 +39,12 @@ struct Group {  // of 32 hairs
 layout(std430, binding = 7) readonly buffer RootsBuffer { Root roots[]; };
 layout(std430, binding = 8) coherent buffer Keys { uint keys[]; };
 layout(std430, binding = 9) readonly buffer Runs { Run runs[]; };
-layout(std430, binding = 10) buffer Counters { uint drawn; };
+layout(std430, binding = 10) buffer Counters { uint drawn; uint drawnSegments; };
 layout(std430, binding = 12) buffer Groups { Group groups[]; };
 layout(binding = 1) uniform sampler2D skinDepth;
 layout(location = 0) uniform uint coatsHere;  // as frame.coats, of this program
+layout(location = 1) uniform uvec2 numbers;   // of the hairs: the first one, a multiple of 32, and
+                                              // the one after the last
 #ifndef DEPTH_PASS
 layout(std430, binding = 6) readonly buffer Mask { float mask[]; };
 layout(std430, binding = 13) readonly buffer SegmentOf { uint segmentOf[]; };
@@ -64,15 +66,6 @@ const uint kColumns = 3u;  // left edge, middle and right edge of a ribbon
 const uint kColumns = 2u;  // both edges
 #endif
 const float kWidestHalf = 24.0;  // pixels; a hair before the lens does not stall the frame
-const float kRoundFrom = 1.5;    // pixels; a narrower ribbon is flat
-
-// Share of its full width that a hair has at this level of detail: 1 up to a rank, then falling to
-// 0. The sum of all widths stays that of the full coat.
-float fadedWidth(float rank, float lod, float fade) {
-    float full = 2.0 * lod - fade;
-    float share = rank <= full ? 1.0 : clamp((fade - rank) / max(fade - full, 1e-9), 0.0, 1.0);
-    return share / lod;
-}
 
 // Window position (pixels), depth, and width in pixels. In both kinds of projection clip.w is the
 // distance by which widths shrink.
@@ -189,10 +182,10 @@ void colorColumns(Strand s, bool over, Look look, float t, inout vec3 colors[kCo
 #endif
 
 void main() {
-    uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+    uint group = numbers.x / 32u + gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     uint lane = gl_LocalInvocationID.x;
     uint number = 32u * group + lane;
-    if (number >= frame.hairs) return;
+    if (number >= numbers.y) return;
 #ifndef DEPTH_PASS
     if ((groups[group].seen >> lane & 1u) == 0u) return;
 #endif
@@ -229,13 +222,19 @@ void main() {
 
     // What lies behind the skin or outside the picture is left before it is rasterised.
     vec4 origin = frame.viewProjection * vec4(s.origin, 1.0);
-#if STYLE >= 2 || defined(SHAPED)
-    uint segments = segmentsFor(s, frame.tolerance * max(origin.w, 1e-6) / frame.pixelsPerMetre);
-#else
+#if STYLE == 0 && !defined(SHAPED)
     uint segments = 1u;
-#endif
+#else
+    float tolerance = frame.tolerance * max(origin.w, 1e-6) / frame.pixelsPerMetre;
+#if STYLE == 1 && !defined(SHAPED)
+    uint segments = min(frame.segments, kMostSegments);
+    if (frame.adapts != 0u) segments = min(segments, segmentsFor(s, tolerance));
+#else
+    uint segments = segmentsFor(s, tolerance);
 #if STYLE == 1
-    segments = max(segments, min(frame.segments, kMostSegments));
+    if (frame.adapts == 0u) segments = max(segments, min(frame.segments, kMostSegments));
+#endif
+#endif
 #endif
     vec4 points[kMostSegments + 1u];
     vec4 weightless = frame.viewProjection * vec4(s.scale * s.weightless, 0.0);
@@ -291,6 +290,7 @@ void main() {
 #ifdef DEPTH_PASS
     if (!seen) return;
     atomicAdd(drawn, 1u);
+    atomicAdd(drawnSegments, segments);
     atomicOr(groups[group].seen, 1u << lane);
 #else
     vec3 field = density;

@@ -27,8 +27,7 @@ struct Options {
     std::optional<float> distance;     // m
     float yaw = 35.0f, pitch = 12.0f;  // degrees
     int samples = 16, repeat = 3;
-    bool allHairs = false;
-    float budget = 0.0f;  // ms
+    Detail detail;
     TraceOptions trace;
 };
 
@@ -47,6 +46,15 @@ std::optional<ivec2> parseSize(const std::string& text) {
 std::string checkSize(const std::string& text) {
     if (parseSize(text)) return "";
     return "\"" + text + "\" is not WIDTHxHEIGHT, each 1 to " + std::to_string(kMaxSide);
+}
+
+std::string checkDetail(const std::string& text) {
+    try {
+        detailFromText(text);
+        return "";
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
 }
 
 // CLI::Range lets NaN through.
@@ -71,8 +79,7 @@ View viewOf(const Document& document, const Options& options) {
     view.samples = options.samples;
     view.camera =
         framedCamera(document, glm::radians(options.yaw), glm::radians(options.pitch), view.size);
-    view.cullByDistance = !options.allHairs;
-    view.budget = 1e-3f * options.budget;
+    view.detail = options.detail;
     if (options.distance) view.camera.distance = *options.distance;
     return view;
 }
@@ -102,8 +109,18 @@ OrderedJson jsonOf(const Options& options, const Document& document, const View&
             {"height", view.size.y},
             {"technique", techniqueOf(document.fur)},
             {"hairsTotal", stats.hairsTotal},
+            {"detail", textOf(view.detail)},
+            {"hairsTried", stats.hairsTried},
             {"hairsDrawn", stats.hairsDrawn},
             {"segments", view.segments},
+            {"segmentsDrawn", stats.segmentsDrawn},
+            {"clusters", stats.clusters},
+            {"clustersDrawn", stats.clustersDrawn},
+            {"clustersOutside", stats.clustersOutside},
+            {"clustersHidden", stats.clustersHidden},
+            {"clustersSmall", stats.clustersSmall},
+            {"clustersBald", stats.clustersBald},
+            {"deviation", stats.deviation},
             {"samples", stats.samples},
             {"msFrame", median(times)},
             {"msFrames", times},
@@ -195,13 +212,15 @@ void addRender(CLI::App& app, bool& json) {
         ->type_name("N")
         ->capture_default_str()
         ->check(CLI::Range(1, 10000));
-    verb->add_flag("--all-hairs", options->allHairs,
-                   "Draw hairs thinner than a pixel too; without it fewer and wider ones far away");
-    verb->add_option("--budget", options->budget,
-                     "ms that a frame may take, as while painting; 0 is no bound")
-        ->type_name("MS")
-        ->capture_default_str()
-        ->check(between(0.0f, 1e6f));
+    verb->add_option_function<std::string>(
+            "--detail",
+            [options](const std::string& text) { options->detail = detailFromText(text); },
+            "How many hairs, and how fine: all, distance (fewer and wider ones far away), share:S, "
+            "pixels:P (off by P pixels at most), ms:T (what a frame of T ms can show); a time may "
+            "follow another one after a comma")
+        ->type_name("DETAIL")
+        ->default_str(textOf(options->detail))
+        ->check(CLI::Validator(checkDetail, ""));
     addTraceOptions(*verb, options->trace);
     addJsonFlag(*verb, json);
     verb->callback([options, &json] { render(*options, json); });

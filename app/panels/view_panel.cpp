@@ -1,7 +1,52 @@
 // view_panel.cpp -- what is drawn and how much of it; nothing here is saved or undone.
+#include <algorithm>
+#include <array>
+
 #include "app/panels/panels.h"
 
 namespace pelage {
+
+namespace {
+
+// How many hairs, asked and achieved.
+void drawDetail(const Ui& ui, Detail& detail, const FrameStats& stats) {
+    std::array<const char*, kDetailRules.size()> rules{};
+    std::ranges::transform(kDetailRules, rules.begin(), &DetailRule::label);
+    ImGui::SetNextItemWidth(-1);
+    if (const auto other = choiceList(ui, "##detail", rules, static_cast<int>(detail.rule))) {
+        detail.rule = static_cast<Detail::Rule>(*other);
+        detail.limit = ruleOf(detail).fallback;
+    }
+    const DetailRule& rule = ruleOf(detail);
+    tip(ui, rule.help);
+    if (rule.format)
+        if (const auto limit = numberRow(ui, rule.label, detail.limit,
+                                         {.least = rule.least,
+                                          .greatest = rule.greatest,
+                                          .fallback = rule.fallback,
+                                          .format = rule.format,
+                                          .logarithmic = true,
+                                          .help = rule.help}))
+            detail.limit = *limit;
+    if (const auto time =
+            numberRow(ui, "While moving", detail.milliseconds,
+                      {.least = 10,
+                       .greatest = 500,
+                       .fallback = 45,
+                       .format = "%.0f ms",
+                       .logarithmic = true,
+                       .help = "Time that one frame may take while you paint or turn the animal; "
+                               "it is drawn more coarsely to keep it."}))
+        detail.milliseconds = *time;
+    ImGui::TextDisabled("%.0f ms, %.0f %% of the hairs", 1e3 * stats.seconds,
+                        100.0 * static_cast<double>(stats.hairsTried) /
+                            static_cast<double>(std::max<std::size_t>(stats.hairsTotal, 1)));
+    if (stats.deviation > 0.0f)
+        ImGui::TextDisabled("to keep to its time up to %.2g pixels off",
+                            static_cast<double>(stats.deviation));
+}
+
+}  // namespace
 
 void drawView(App& app) {
     const Ui ui = uiOf(app);
@@ -29,16 +74,7 @@ void drawView(App& app) {
                        .format = "%.0f",
                        .help = "Straight pieces of one hair. Short fur needs two or three."}))
         view.segments = static_cast<int>(*segments + 0.5f);
-    if (const auto share = numberRow(ui, "Share drawn", view.share,
-                                     {.least = 0.01f,
-                                      .fallback = 1.0f,
-                                      .format = "%.2f",
-                                      .help = "At most this share of the hairs is drawn, each "
-                                              "wider in the same proportion."}))
-        view.share = *share;
-    toggleRow(ui, "Fewer hairs far away", &view.cullByDistance,
-              "The number of hairs falls with the distance (van Gelder and Wilhelms, 1997).");
-
+    drawDetail(ui, view.detail, app.stats);
     toggleRow(ui, "Play wind", &view.playWind,
               "The wind of the coat panel blows; the picture never rests.");
 
@@ -53,17 +89,6 @@ void drawView(App& app) {
                        .help = "Frames that the resting picture averages: smoother edges, softer "
                                "tips."}))
         view.samples = static_cast<int>(*samples + 0.5f);
-    if (const auto budget =
-            numberRow(ui, "While moving", 1000.0f * view.budget,
-                      {.least = 10,
-                       .greatest = 500,
-                       .fallback = 45,
-                       .format = "%.0f ms",
-                       .logarithmic = true,
-                       .help = "Time that one frame may take while you paint or turn the animal; "
-                               "fewer hairs are drawn to keep it."}))
-        view.budget = 0.001f * *budget;
-
     caption(ui, "CAMERA");
     toggleRow(ui, "Orthographic", &app.session.camera.orthographic,
               "No perspective: parallel lines stay parallel.");

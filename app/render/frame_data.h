@@ -21,7 +21,7 @@ struct FrameData {
     float hairsPerArea = 0.0f;
     uint coats = 3;
     uint textured = 0;
-    uint hairs = 0;
+    uint adapts = 0;
     float seconds = 0.0f;
     float tolerance = 0.3f;
     uint sides = 0;
@@ -47,7 +47,8 @@ enum Storage : unsigned {
     lines = 11,
     groups = 12,
     segmentOf = 13,
-    rodTable = 14
+    strips = 14,
+    rodTable = 15
 };
 enum Texture : unsigned { baseColors = 0, skinDepth = 1 };
 }  // namespace binding

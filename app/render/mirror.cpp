@@ -1,6 +1,9 @@
 // mirror.cpp -- what differs from the last upload goes to the GPU, nothing else.
 #include "app/render/mirror.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <glm/gtc/packing.hpp>
 
@@ -105,6 +108,31 @@ void Mirror::uploadGroom(const Groom& groom, bool newSkin, bool newPose) {
     groom_ = groom;
 }
 
+void Mirror::findChunks() {
+    chunksOf_.clear();
+    for (const Cluster& cluster : roots_.clusters) {
+        uint first = ~0u, last = 0;
+        for (uint t = 0; t < cluster.triangleCount; ++t) {
+            const uvec3 corners = skin_->triangles[skin_->spatialOrder[cluster.firstTriangle + t]];
+            first = std::min({first, corners.x, corners.y, corners.z});
+            last = std::max({last, corners.x, corners.y, corners.z});
+        }
+        chunksOf_.push_back(uvec2(first, last) / static_cast<uint>(groom_.fur.kChunkSize));
+    }
+}
+
+void Mirror::updateTufts(const std::vector<bool>& newChunks) {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, tufts_.size(), 64), [&](const auto& range) {
+            for (std::size_t c = range.begin(); c < range.end(); ++c) {
+                const auto begin = newChunks.begin();
+                const uvec2 chunks = chunksOf_[c];
+                if (std::find(begin + chunks.x, begin + chunks.y + 1, true) != begin + chunks.y + 1)
+                    tufts_[c] = tuftOf(roots_.clusters[c], *shown_, groom_.fur, fur_);
+            }
+        });
+}
+
 bool Mirror::update(const Document& document, const std::shared_ptr<const Skin>& posed) {
     const std::shared_ptr<const Skin>& shown = posed ? posed : document.skin;
     const bool newSkin = document.skin != skin_;
@@ -120,9 +148,12 @@ bool Mirror::update(const Document& document, const std::shared_ptr<const Skin>&
         skinVertices_.upload(view(shown->vertices));
         shown_ = shown;
     }
-    if (newGroom) uploadGroom(document.groom, newSkin, newPose);
     const bool newRoots =
         newSkin || document.fur.hairs != fur_.hairs || document.fur.seed != fur_.seed;
+    std::vector<bool> newChunks(document.groom.fur.chunkCount());
+    for (std::size_t c = 0; c < newChunks.size(); ++c)
+        newChunks[c] = newPose || newRoots || !document.groom.fur.sharesChunk(groom_.fur, c);
+    if (newGroom) uploadGroom(document.groom, newSkin, newPose);
     if (newRoots) roots_ = scatterRoots(*document.skin, document.fur.hairs, document.fur.seed);
     const bool newGuides = newRoots || guidesDiffer(document.fur, fur_);
     if (newGuides) {
@@ -131,10 +162,16 @@ bool Mirror::update(const Document& document, const std::shared_ptr<const Skin>&
     }
     // Roots are scattered with bounds at rest.
     if (newRoots ? shown_ != skin_ : newPose) boundClusters(roots_, *shown_);
+    if (newRoots) {
+        findChunks();
+        tufts_.assign(roots_.clusters.size(), Tuft{});
+    }
     if (newFur) {
+        if (!combsAlike(document.fur, fur_)) newChunks.assign(newChunks.size(), true);
         fur_ = document.fur;
         furBlock_.upload(std::span<const Fur>(&fur_, 1));
     }
+    if (newFur || newGroom) updateTufts(newChunks);
     return newGroom || newFur;
 }
 

@@ -7,7 +7,7 @@
 
 #include "app/render/gl.h"
 #include "core/document.h"
-#include "core/scatter.h"
+#include "core/lod.h"
 
 namespace pelage {
 
@@ -30,6 +30,7 @@ public:
     void bind() const;
 
     const Roots& roots() const { return roots_; }
+    const std::vector<Tuft>& tufts() const { return tufts_; }  // by cluster, as the skin stands
     // Runs of triangles that share a material.
     struct Part {
         std::size_t firstTriangle = 0, triangleCount = 0;
@@ -48,11 +49,15 @@ public:
 private:
     void uploadSkin(const Skin& skin);
     void uploadGroom(const Groom& groom, bool newSkin, bool newPose);
+    void findChunks();
+    void updateTufts(const std::vector<bool>& newChunks);
 
     std::shared_ptr<const Skin> skin_, shown_;  // at rest, and as it stands
     Groom groom_;
     Fur fur_{};
     Roots roots_;
+    std::vector<Tuft> tufts_;
+    std::vector<uvec2> chunksOf_;  // first and last chunk of the groom, by cluster
     bool textured_ = false;
     std::vector<Part> parts_;
     std::size_t chunksUploaded_ = 0;

@@ -12,6 +12,7 @@
 #include "app/render/post_pass.h"
 #include "app/render/skin_pass.h"
 #include "app/render/strand_pass.h"
+#include "core/pace.h"
 
 namespace pelage {
 namespace {
@@ -28,9 +29,10 @@ struct PictureKey {
     Camera camera;
     ivec2 size;
     Overlay overlay;
-    bool showSkin, showOver, showUnder, cullByDistance;
+    bool showSkin, showOver, showUnder, culls;
+    Detail detail;
     uint segments, sides;
-    float share, budget, tolerance, seconds;
+    float tolerance, seconds;
     vec3 background;
     bool operator==(const PictureKey&) const = default;
 
@@ -41,11 +43,10 @@ struct PictureKey {
           showSkin(v.showSkin),
           showOver(v.showOver),
           showUnder(v.showUnder),
-          cullByDistance(v.cullByDistance),
+          culls(v.culls),
+          detail(v.detail),
           segments(v.segments),
           sides(v.sides),
-          share(v.share),
-          budget(v.budget),
           tolerance(v.tolerance),
           seconds(v.seconds),
           background(v.background) {}
@@ -59,27 +60,6 @@ vec2 sampleOffset(int sample) {
     return {fraction(0.5 + n * 0.7548776662466927), fraction(0.5 + n * 0.5698402909980532)};
 }
 
-// Predicts how many hairs fit a budget from what the last frames took.
-struct CostModel {
-    double perHair = 1e-6, rest = 0.02;  // s
-
-    // From a frame whose parts were timed.
-    void learn(std::size_t hairs, double strands, double others) {
-        if (hairs > 1000) perHair += 0.5 * (strands / static_cast<double>(hairs) - perHair);
-        rest += 0.5 * (others - rest);
-    }
-    // From a frame that was timed as a whole.
-    void learn(std::size_t hairs, double all) {
-        const double factor = all / (rest + perHair * static_cast<double>(hairs));
-        perHair *= factor;
-        rest *= factor;
-    }
-    float share(float budget, std::size_t hairs) const {
-        const double room = std::max(budget - rest, 0.15 * budget);
-        return static_cast<float>(room /
-                                  (perHair * static_cast<double>(std::max<std::size_t>(hairs, 1))));
-    }
-};
 
 // What a sample is drawn into.
 struct Canvas {
@@ -97,9 +77,16 @@ struct Canvas {
     }
 };
 
-// Below this share of the hairs a frame with a budget is drawn with half as many pixels each way:
-// few hairs have to be so wide that their pixels cost more than the others would.
-constexpr float kLeastSharp = 0.1f;
+// Pixels. Where a frame that is bound by time has to deviate by more it is drawn with half as many
+// pixels each way, as few hairs have to be so wide that their pixels cost more than the others
+// would; and with all of them again where that deviates by less.
+constexpr float kBlurFrom = 4.0f, kSharpFrom = 0.5f;
+constexpr float kWidest = 26.0f;  // pixels from the middle of a hair to its edge, and some
+
+Sight sightOf(const FrameData& frame) {
+    return {frame.viewProjection,     frame.eye, frame.forward, frame.pixelsPerMetre,
+            frame.perspective > 0.0f, frame.size};
+}
 
 // OpenGL 4.5 promises fewer storage buffers than the shaders read; every desktop driver has more.
 void requireCapabilities() {
@@ -112,7 +99,7 @@ void requireCapabilities() {
         int needed;
         const char* name;
     } limits[] = {
-        {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 15, "storage buffers"},
+        {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 16, "storage buffers"},
         {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 13, "storage buffers in a compute shader"},
         {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, 6, "storage buffers in a vertex shader"},
         {GL_MAX_COMPUTE_IMAGE_UNIFORMS, 1, "images in a compute shader"},
@@ -145,13 +132,14 @@ struct Renderer::Parts {
     PostPass postPass;
     gl::Buffer frameBlock;
     Canvas fine, coarse;
-    CostModel fineCost, coarseCost;
+    Pace finePace, coarsePace;
     ivec2 size{0};
     std::optional<PictureKey> key;
     int samples = 0;
     bool single = false;
     bool linesShown = false;
-    bool blurred = false;  // the sample in the picture was drawn coarsely
+    bool blurred = false;  // the sample in the picture was drawn with fewer pixels
+    bool blurs = false;    // the next one is, if it is bound by time
     FrameStats stats;
 
     void resize(ivec2 wanted) {
@@ -164,11 +152,11 @@ struct Renderer::Parts {
 
     FrameData frameData(const Document& document, const View& view, int sample, ivec2 pixels) const;
     void drawSkin(const Canvas& canvas, const FrameData& frame, const View& view);
-    // Returns the number of hairs that were tried; with a budget it waits for the GPU.
-    StrandPlan plan(const Document& document, const View& view, const FrameData& frame,
-                    float share) const;
-    std::size_t drawStrands(const Canvas& canvas, const Document& document, const View& view,
-                            const FrameData& frame, StrandPlan strands, const CostModel& cost);
+    SkinDepth skinDepth(const Canvas& canvas, const Sight& sight, const Pelt& pelt);
+    Choice choice(const View& view, const FrameData& frame, const Pelt& pelt, const InSight& seen);
+    void drawSample(const Document& document, const View& view);
+    void count(const InSight& seen, const Choice& chosen);
+    void display(const View& view);
     mat4 viewProjection(const View& view) const;
 };
 
@@ -226,28 +214,89 @@ void Renderer::Parts::drawSkin(const Canvas& canvas, const FrameData& frame, con
     if (view.showSkin) skinPass.draw(mirror);
 }
 
-StrandPlan Renderer::Parts::plan(const Document& document, const View& view, const FrameData& frame,
-                                 float share) const {
-    const float over = document.fur.share;
-    const float meanWidth = over * frame.overWidth + (1.0f - over) * frame.underWidth;
-    return planStrands(mirror.roots(), frame, meanWidth, mirror.longestHair(),
-                       std::clamp(view.share, 0.0f, 1.0f) * share, view.cullByDistance);
+SkinDepth Renderer::Parts::skinDepth(const Canvas& canvas, const Sight& sight, const Pelt& pelt) {
+    const Skin& skin = mirror.skin();
+    const float reach = std::max(pelt.reach() * mirror.longestHair(), pelt.clumpReach);
+    const Outline outline = outlineOf(sight, skin.center(), skin.radius + reach);
+    ivec2 lower(0), upper(canvas.size);
+    if (outline.known) {
+        const vec2 limit(canvas.size);
+        lower = ivec2(glm::clamp(glm::floor(outline.lower - kWidest), vec2(0.0f), limit));
+        upper = ivec2(glm::clamp(glm::ceil(outline.upper + kWidest), vec2(0.0f), limit));
+    }
+    return strandPass.begin(canvas.depth, frameBlock, canvas.size, lower, upper);
 }
 
-std::size_t Renderer::Parts::drawStrands(const Canvas& canvas, const Document& document,
-                                         const View& view, const FrameData& frame,
-                                         StrandPlan strands, const CostModel& cost) {
-    if (view.budget > 0.0f) {
-        const float fitting = cost.share(view.budget, strands.hairs);
-        if (fitting < 1.0f) strands = plan(document, view, frame, fitting);
+// The detail that is asked for, or as much of it as fits the time.
+Choice Renderer::Parts::choice(const View& view, const FrameData& frame, const Pelt& pelt,
+                               const InSight& seen) {
+    const Sight sight = sightOf(frame);
+    const Fineness otherwise{frame.segments, frame.tolerance, false};
+    float deviation = 0.0f;  // of the pixels that are drawn
+    if (view.detail.milliseconds > 0.0f) {
+        const Pace& pace = blurred ? coarsePace : finePace;
+        const double work = pace.workWithin(1e-3 * static_cast<double>(view.detail.milliseconds));
+        deviation = deviationWithin(work, seen, sight, pelt, view.detail, otherwise);
     }
-    FrameData withHairs = frame;
-    withHairs.hairs = strands.hairs;
-    frameBlock.upload(std::span<const FrameData>(&withHairs, 1));
-    strandPass.draw(mirror, document.fur, withHairs, strands, frameBlock, canvas.color,
-                    canvas.depth);
-    if (view.budget > 0.0f) glFinish();
-    return strands.hairs;
+    blurs = deviation > (blurred ? kSharpFrom : kBlurFrom);
+    stats.deviation = blurred ? 2.0f * deviation : deviation;
+    return choose(mirror.roots(), seen, sight, pelt, view.detail, deviation, otherwise);
+}
+
+void Renderer::Parts::drawSample(const Document& document, const View& view) {
+    const auto start = Clock::now();
+    const bool bounded = view.detail.milliseconds > 0.0f;
+    blurred = bounded && blurs;
+    if (blurred) coarse.resize((view.size + 1) / 2);
+    const Canvas& canvas = blurred ? coarse : fine;
+    FrameData frame = frameData(document, view, samples, canvas.size);
+    const Pelt pelt = peltOf(document.fur, frame.coats, frame.overWidth, frame.underWidth,
+                             document.skin->area, mirror.longestHair());
+    drawSkin(canvas, frame, view);
+    const SkinDepth depth = skinDepth(canvas, sightOf(frame), pelt);
+    // The parts of a frame can only be told apart where each waits for the one before.
+    const auto strandStart = Clock::now();
+    const InSight seen =
+        lookAt(mirror.roots(), mirror.tufts(), pelt, sightOf(frame), view.culls ? &depth : nullptr);
+    const Choice chosen = choice(view, frame, pelt, seen);
+    frame.segments = chosen.fineness.segments;
+    frame.tolerance = chosen.fineness.tolerance;
+    frame.adapts = chosen.fineness.adapts ? 1u : 0u;
+    frameBlock.upload(std::span<const FrameData>(&frame, 1));
+    strandPass.draw(mirror, document.fur, pelt.coats,
+                    planStrands(mirror.roots(), chosen, chosen.fineness.adapts), frameBlock,
+                    canvas.color, canvas.depth);
+    if (bounded) glFinish();
+    const double strandSeconds = secondsSince(strandStart);
+
+    if (!single) postPass.accumulate(canvas.color, samples == 0);
+    ++samples;
+    display(view);
+    glFinish();
+    stats.seconds = secondsSince(start);
+    (blurred ? coarsePace : finePace)
+        .learn(chosen.work, strandSeconds, stats.seconds - strandSeconds);
+    count(seen, chosen);
+}
+
+void Renderer::Parts::count(const InSight& seen, const Choice& chosen) {
+    const StrandPass::Counts counts = strandPass.counts();
+    stats.hairsTotal = mirror.roots().roots.size();
+    stats.hairsTried = counts.tried;
+    stats.hairsDrawn = counts.hairs;
+    stats.segmentsDrawn = counts.segments;
+    stats.clusters = mirror.roots().clusters.size();
+    stats.clustersDrawn = chosen.clusters.size();
+    stats.clustersOutside = seen.outside;
+    stats.clustersHidden = seen.hidden;
+    stats.clustersSmall = chosen.small;
+    stats.clustersBald = seen.bald;
+    stats.samples = samples;
+}
+
+void Renderer::Parts::display(const View& view) {
+    const Canvas& canvas = blurred ? coarse : fine;
+    postPass.display(samples, canvas.color, view.lines, viewProjection(view), canvas.depth);
 }
 
 Renderer::Renderer() {
@@ -262,7 +311,6 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
         throw std::runtime_error("a picture of " + std::to_string(view.size.x) + " x " +
                                  std::to_string(view.size.y) + " pixels cannot be drawn");
     Parts& p = *parts_;
-    const auto start = Clock::now();
     const bool changed = p.mirror.update(document, view.posed);
     const PictureKey key(view);
     const int wanted = std::clamp(view.samples, 1, 1024);
@@ -273,43 +321,10 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
     p.single = single;
     p.resize(view.size);
 
-    if (p.samples < wanted) {
-        const bool bounded = view.budget > 0.0f;
-        FrameData frame = p.frameData(document, view, p.samples, p.fine.size);
-        StrandPlan strands = p.plan(document, view, frame, 1.0f);
-        p.blurred = bounded && p.fineCost.share(view.budget, strands.hairs) < kLeastSharp;
-        if (p.blurred) {
-            p.coarse.resize((view.size + 1) / 2);
-            frame = p.frameData(document, view, p.samples, p.coarse.size);
-            strands = p.plan(document, view, frame, 1.0f);
-        }
-        const Canvas& canvas = p.blurred ? p.coarse : p.fine;
-        CostModel& cost = p.blurred ? p.coarseCost : p.fineCost;
-        p.drawSkin(canvas, frame, view);
-        // The parts of a frame can only be told apart where each waits for the one before.
-        if (bounded) glFinish();
-        const auto strandStart = Clock::now();
-        const std::size_t tried =
-            p.drawStrands(canvas, document, view, frame, std::move(strands), cost);
-        const double strandSeconds = secondsSince(strandStart);
-        if (!single) p.postPass.accumulate(canvas.color, p.samples == 0);
-        ++p.samples;
-        p.postPass.display(p.samples, canvas.color, view.lines, p.viewProjection(view),
-                           canvas.depth);
-        glFinish();
-        p.stats.seconds = secondsSince(start);
-        if (bounded)
-            cost.learn(tried, strandSeconds, p.stats.seconds - strandSeconds);
-        else
-            cost.learn(tried, p.stats.seconds);
-        p.stats.hairsTotal = p.mirror.roots().roots.size();
-        p.stats.hairsDrawn = p.strandPass.hairsDrawn();
-        p.stats.samples = p.samples;
-    } else if (!view.lines.empty() || p.linesShown) {
-        const Canvas& canvas = p.blurred ? p.coarse : p.fine;
-        p.postPass.display(p.samples, canvas.color, view.lines, p.viewProjection(view),
-                           canvas.depth);
-    }
+    if (p.samples < wanted)
+        p.drawSample(document, view);
+    else if (!view.lines.empty() || p.linesShown)
+        p.display(view);
     p.linesShown = !view.lines.empty();
     p.stats.finished = p.samples >= wanted;
     return p.stats;

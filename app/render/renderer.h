@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/render/camera.h"
+#include "core/detail.h"
 #include "core/document.h"
 
 namespace pelage {
@@ -24,15 +25,14 @@ struct View {
     ivec2 size{900, 900};  // pixels
     Overlay overlay = Overlay::none;
     bool showSkin = true, showOver = true, showUnder = true;
-    uint segments = 8;       // of a polyline, [1, 16]
+    uint segments = 8;       // of a polyline, [1, 16]; at most, where the detail is bound by time
     float tolerance = 0.3f;  // pixels by which ribbons, curves and tubes may miss their curve
     uint sides = 0;          // of a tube, [3, 8]; 0 = as many as its width on screen needs
     float seconds = 0.0f;    // how long the wind has blown
     std::shared_ptr<const Skin> posed;  // the document's skin as it stands (pose.h); null = at rest
-    bool cullByDistance = true;         // van Gelder and Wilhelms 1997, 3.3: hairs ~ 1/distance
-    float share = 1.0f;   // of the hairs that the distance leaves, the share drawn, (0,1]
-    float budget = 0.0f;  // s per frame; 0 = no bound. With a bound share is lowered to fit
-    int samples = 1;      // frames that the still picture averages, [1, 1024]
+    Detail detail;                      // how many hairs, and how fine
+    bool culls = true;                  // leaves out early what cannot be seen; changes no picture
+    int samples = 1;                    // frames that the still picture averages, [1, 1024]
     vec3 background{0.58f, 0.63f, 0.69f};  // linear RGB
     std::span<const OverlayLine> lines;
     bool operator==(const View&) const = delete;
@@ -43,10 +43,17 @@ Light studioLight(const Camera& camera);
 
 struct FrameStats {
     std::size_t hairsTotal = 0;  // that grow at density 1
-    std::size_t hairsDrawn = 0;  // that the skin did not hide in the last sample
-    double seconds = 0.0;        // of the last sample, to the end of the GPU's work
-    int samples = 0;             // averaged in the picture so far
-    bool finished = false;       // nothing will change unless document or view do
+    // The rest up to `seconds` is of the last sample.
+    std::size_t hairsTried = 0;     // for which something was done on the GPU, in each pass
+    std::size_t hairsDrawn = 0;     // of those, that the skin did not hide
+    std::size_t segmentsDrawn = 0;  // of these
+    // Triangles near each other with their hair: all are drawn or left out for one of four reasons.
+    std::size_t clusters = 0, clustersDrawn = 0, clustersOutside = 0, clustersHidden = 0,
+                clustersSmall = 0, clustersBald = 0;
+    float deviation = 0.0f;  // pixels by which it is coarser to keep to its time
+    double seconds = 0.0;    // to the end of the GPU's work
+    int samples = 0;         // averaged in the picture so far
+    bool finished = false;   // nothing will change unless document or view do
 };
 
 // Needs a current OpenGL 4.5 context, the same for its whole life. Throws std::runtime_error that

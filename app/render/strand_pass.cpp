@@ -33,12 +33,12 @@ StrandPass::StrandPass() : keyProgram_(Program::compute("depth_keys.comp")) {
 }
 
 // Made when a coat first needs them.
-const StrandPass::Pair& StrandPass::programsOf(const Coat& coat) {
+const StrandPass::Pair& StrandPass::programsOf(uint style, const Coat& coat) {
     const bool shaped = isShapedCoat(coat), rods = coat.droop == kDroopElastica;
-    const Kind kind(coat.style, shaped, rods);
+    const Kind kind(style, shaped, rods);
     const auto known = programs_.find(kind);
     if (known != programs_.end()) return known->second;
-    std::vector<std::string> defines{"STYLE " + std::to_string(coat.style)};
+    std::vector<std::string> defines{"STYLE " + std::to_string(style)};
     if (shaped) defines.push_back("SHAPED");
     if (rods) {
         defines.push_back("RODS");
@@ -52,28 +52,54 @@ const StrandPass::Pair& StrandPass::programsOf(const Coat& coat) {
 }
 
 // Both coats at once where they are drawn alike.
-std::vector<StrandPass::Part> StrandPass::partsOf(const Fur& fur, uint coats) {
-    std::vector<Part> parts;
-    if (coats & 1u) parts.push_back({&programsOf(fur.over), 1u});
-    if (coats & 2u) {
-        const Pair* under = &programsOf(fur.under);
-        if (!parts.empty() && parts[0].programs == under)
-            parts[0].coats |= 2u;
+void StrandPass::addParts(std::vector<Part>& parts, const Fur& fur, uint coats, uint begin,
+                          uint end, bool narrow) {
+    if (begin == end) return;
+    const std::size_t before = parts.size();
+    for (const uint bit : {1u, 2u}) {
+        if (!(coats & bit)) continue;
+        const Coat& coat = bit == 1 ? fur.over : fur.under;
+        const bool line = narrow && coat.style == kStyleRibbon;
+        const Pair* programs = &programsOf(line ? kStylePolyline : coat.style, coat);
+        if (parts.size() > before && parts.back().programs == programs)
+            parts.back().coats |= bit;
         else
-            parts.push_back({under, 2u});
+            parts.push_back({programs, bit, begin, end});
     }
-    return parts;
 }
 
-void StrandPass::draw(const Mirror& mirror, const Fur& fur, const FrameData& frame,
-                      const StrandPlan& plan, const gl::Buffer& frameBlock,
-                      const gl::Texture& picture, const gl::Texture& skinDepth) {
-    const uint pixels = static_cast<uint>(frame.size.x) * static_cast<uint>(frame.size.y);
+SkinDepth StrandPass::begin(const gl::Texture& skinDepth, const gl::Buffer& frameBlock, ivec2 size,
+                            ivec2 lower, ivec2 upper) {
+    lower = glm::max(lower, ivec2(0)) / SkinDepth::kTile * SkinDepth::kTile;
+    const ivec2 window = glm::min(upper, size) - lower;
+    if (window.x < 1 || window.y < 1) return {};
+    const int rows = (window.y + SkinDepth::kTile - 1) / SkinDepth::kTile;
+    const std::size_t strips = static_cast<std::size_t>(window.x) * static_cast<std::size_t>(rows);
+    const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     if (keys_.bytes() != pixels * sizeof(uint)) keys_.resize(pixels * sizeof(uint));
+    if (strips_.bytes() < strips * sizeof(float))
+        strips_.resize(pixels / SkinDepth::kTile * sizeof(float) + strips * sizeof(float));
+    frameBlock.bindUniform(binding::frame);
+    keys_.bindStorage(binding::keys);
+    strips_.bindStorage(binding::strips);
+    glBindTextureUnit(binding::skinDepth, skinDepth.name());
+    keyProgram_.use();
+    glUniform4i(0, lower.x, lower.y, window.x, window.y);
+    dispatch(static_cast<uint>((strips + 63) / 64));
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    std::vector<float> farthest(strips);
+    glGetNamedBufferSubData(strips_.name(), 0, static_cast<GLsizeiptr>(strips * sizeof(float)),
+                            farthest.data());
+    return SkinDepth(lower, window.x, farthest);
+}
+
+void StrandPass::draw(const Mirror& mirror, const Fur& fur, uint coats, const StrandPlan& plan,
+                      const gl::Buffer& frameBlock, const gl::Texture& picture,
+                      const gl::Texture& skinDepth) {
     replace(runs_, plan.runs);
     replace(groups_, plan.groups);
-    const uint zero = 0;
-    counters_.write(0, std::span<const uint>(&zero, 1));
+    const uvec2 zero(0);
+    counters_.write(0, std::span<const uvec2>(&zero, 1));
 
     mirror.bind();
     frameBlock.bindUniform(binding::frame);
@@ -85,30 +111,28 @@ void StrandPass::draw(const Mirror& mirror, const Fur& fur, const FrameData& fra
     glBindTextureUnit(binding::skinDepth, skinDepth.name());
     glBindImageTexture(0, picture.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16F);
 
-    const uint groups = static_cast<uint>(plan.groups.size());
-    keyProgram_.use();
-    dispatch((pixels + 63) / 64);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    const std::vector<Part> parts = partsOf(fur, frame.coats);
-    for (const Part& part : parts) {
-        part.programs->depth.use();
-        glUniform1ui(0, part.coats);
-        dispatch(groups);
+    std::vector<Part> parts;
+    addParts(parts, fur, coats, 0, plan.wideEnd, false);
+    addParts(parts, fur, coats, plan.narrowBegin, plan.end, true);
+    tried_ = 0;
+    for (const auto pass : {&Pair::depth, &Pair::color}) {
+        for (const Part& part : parts) {
+            (part.programs->*pass).use();
+            glUniform1ui(0, part.coats);
+            glUniform2ui(1, part.begin, part.end);
+            dispatch((part.end - part.begin + 31) / 32);
+        }
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    for (const Part& part : parts) {
-        part.programs->color.use();
-        glUniform1ui(0, part.coats);
-        dispatch(groups);
-    }
+    for (const Part& part : parts) tried_ += part.end - part.begin;
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
                     GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
-std::size_t StrandPass::hairsDrawn() const {
-    uint drawn = 0;
+StrandPass::Counts StrandPass::counts() const {
+    uvec2 drawn(0);
     glGetNamedBufferSubData(counters_.name(), 0, sizeof drawn, &drawn);
-    return drawn;
+    return {tried_, drawn.x, drawn.y};
 }
 
 }  // namespace pelage

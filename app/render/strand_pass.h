@@ -9,6 +9,7 @@
 #include "app/render/frame_data.h"
 #include "app/render/mirror.h"
 #include "app/render/program.h"
+#include "core/lod.h"
 
 namespace pelage {
 
@@ -29,25 +30,36 @@ struct StrandPlan {
     };
     std::vector<Run> runs;
     std::vector<Group> groups;
-    uint hairs = 0;
+    uint wideEnd = 0;               // hairs below it are drawn in the style of their coat,
+    uint narrowBegin = 0, end = 0;  // these with ribbons as polylines; begins a group
 };
 
-// Leaves out clusters outside the view, and of the others all hairs beyond the share that is
-// wanted: `share`, times the paper's rule with `byDistance`: as many as are a pixel wide.
-// `reach` is the length of the longest hair, m.
-StrandPlan planStrands(const Roots& roots, const FrameData& frame, float rootWidth, float reach,
-                       float share, bool byDistance);
+// `splits` where there are ribbons that may be drawn as polylines where they are narrow.
+StrandPlan planStrands(const Roots& roots, const Choice& choice, bool splits);
 
 class StrandPass {
 public:
     StrandPass();
-    // Draws into `picture` (RGBA16F) the hairs that stand before `skinDepth`.
-    void draw(const Mirror& mirror, const Fur& fur, const FrameData& frame, const StrandPlan& plan,
+    // Begins a frame of the hair over a skin of this depth. Hair stays in the window that is given
+    // in pixels; the answer is how far away the skin is there. Waits for the GPU.
+    SkinDepth begin(const gl::Texture& skinDepth, const gl::Buffer& frameBlock, ivec2 size,
+                    ivec2 lower, ivec2 upper);
+    // Draws into `picture` (RGBA16F) the hairs that stand before the skin, of `coats` (bit 0: over,
+    // bit 1: under).
+    void draw(const Mirror& mirror, const Fur& fur, uint coats, const StrandPlan& plan,
               const gl::Buffer& frameBlock, const gl::Texture& picture,
               const gl::Texture& skinDepth);
-    // Hairs that the last draw found not hidden; waits for the GPU.
-    std::size_t hairsDrawn() const;
-    std::size_t bytes() const { return keys_.bytes() + runs_.bytes() + groups_.bytes() + rodTable_.bytes(); }
+
+    struct Counts {
+        std::size_t tried = 0;     // hairs for which an invocation was started, in each pass
+        std::size_t hairs = 0;     // that were found not hidden
+        std::size_t segments = 0;  // of those
+    };
+    Counts counts() const;  // of the last draw; waits for the GPU
+    std::size_t bytes() const {
+        return keys_.bytes() + strips_.bytes() + runs_.bytes() + groups_.bytes() +
+               rodTable_.bytes();
+    }
 
 private:
     // The two passes of hair of one style, and the coats that they draw.
@@ -57,15 +69,18 @@ private:
     struct Part {
         const Pair* programs;
         uint coats;
+        uint begin, end;  // numbers of hairs
     };
     using Kind = std::tuple<uint, bool, bool>;  // style, whether it is shaped, whether it is rods
-    const Pair& programsOf(const Coat& coat);
-    std::vector<Part> partsOf(const Fur& fur, uint coats);
+    const Pair& programsOf(uint style, const Coat& coat);
+    void addParts(std::vector<Part>& parts, const Fur& fur, uint coats, uint begin, uint end,
+                  bool narrow);
 
     Program keyProgram_;
     std::map<Kind, Pair> programs_;
-    gl::Buffer keys_, runs_, groups_, counters_;
+    gl::Buffer keys_, strips_, runs_, groups_, counters_;
     gl::Buffer rodTable_;  // filled when a coat first needs it
+    std::size_t tried_ = 0;
 };
 
 }  // namespace pelage

@@ -30,7 +30,7 @@ View viewOf(const Document& document) {
                          glm::radians(12.0f), 1.0f);
     view.segments = kPolylineSegments;
     view.sides = kSides;
-    view.cullByDistance = false;
+    view.detail.rule = Detail::Rule::all;
     return view;
 }
 

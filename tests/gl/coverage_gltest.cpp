@@ -92,7 +92,7 @@ TEST(Coverage, ASmallerShareHasNoBias) {
     Renderer renderer;
     const double full = test::coveredPixels(renderer, document, view);
     for (const float share : {0.5f, 0.25f, 0.125f}) {
-        view.share = share;
+        view.detail = {.rule = Detail::Rule::share, .limit = share};
         const double covered = test::coveredPixels(renderer, document, view);
         std::printf("share %.3f covers %.4f of the full coat\n", static_cast<double>(share),
                     covered / full);
@@ -108,7 +108,7 @@ TEST(Coverage, CullingByDistanceHasNoBias) {
     Renderer renderer;
     const double full = test::coveredPixels(renderer, document, view);
     const std::size_t all = renderer.draw(document, view).hairsDrawn;
-    view.cullByDistance = true;
+    view.detail.rule = Detail::Rule::distance;
     const double covered = test::coveredPixels(renderer, document, view);
     const std::size_t some = renderer.draw(document, view).hairsDrawn;
     std::printf("%zu of %zu hairs cover %.4f of all\n", some, all, covered / full);
@@ -131,7 +131,7 @@ TEST(Coverage, ASmallerShareOfACoatCoversAsMuch) {
         const double full = test::coveredPixels(renderer, document, view);
         EXPECT_GT(full, 0.2 * 128 * 128);
         for (const float share : {0.5f, 0.25f, 0.125f}) {
-            view.share = share;
+            view.detail = {.rule = Detail::Rule::share, .limit = share};
             const double covered = test::coveredPixels(renderer, document, view);
             std::printf("%s: share %.3f covers %.4f of the full coat\n", c.name,
                         static_cast<double>(share), covered / full);

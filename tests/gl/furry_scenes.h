@@ -22,7 +22,7 @@ inline View ballView(const Document& document, int side) {
     View view;
     view.size = ivec2(side);
     view.camera = framed(document.skin->center(), 1.25f, 0.5f, 0.3f, 1.0f);
-    view.cullByDistance = false;
+    view.detail.rule = Detail::Rule::all;
     return view;
 }
 
@@ -57,7 +57,7 @@ inline View viewFromAbove(int side) {
     view.camera.pitch = 0.5f * 3.14159265f;
     view.camera.orthographic = true;
     view.camera.distance = kHalfSide / std::tan(0.5f * view.camera.fieldOfView);
-    view.cullByDistance = false;
+    view.detail.rule = Detail::Rule::all;
     return view;
 }
 

@@ -239,7 +239,7 @@ TEST(Layout, UniformBlocksLieAsTheDriverReadsThem) {
                     FIELD(FrameData, hairsPerArea),
                     FIELD(FrameData, coats),
                     FIELD(FrameData, textured),
-                    FIELD(FrameData, hairs),
+                    FIELD(FrameData, adapts),
                     FIELD(FrameData, seconds),
                     FIELD(FrameData, tolerance),
                     FIELD(FrameData, sides)});

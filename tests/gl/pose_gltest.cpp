@@ -26,7 +26,7 @@ View viewOf(const Skin& skin) {
     View view;
     view.size = ivec2(160);
     view.camera = framed(skin.center(), 1.2f * skin.radius, 0.7f, 0.4f, 1.0f);
-    view.cullByDistance = false;
+    view.detail.rule = Detail::Rule::all;
     return view;
 }
 

@@ -146,11 +146,11 @@ TEST(Renderer, ABudgetLowersTheHairsDrawn) {
     View view = ballView(document, 32);
     Renderer renderer;
     const std::size_t all = renderer.draw(document, view).hairsDrawn;
-    view.budget = 1e-6f;
+    view.detail.milliseconds = 1e-3f;
     const std::size_t few = renderer.draw(document, view).hairsDrawn;
     EXPECT_GT(few, 0u);
     EXPECT_LT(few, all / 4);
-    view.budget = 1e6f;
+    view.detail.milliseconds = 1e9f;
     EXPECT_EQ(renderer.draw(document, view).hairsDrawn, all);
 }
 
@@ -391,7 +391,7 @@ TEST(Renderer, NothingPerHairIsStoredButItsRoot) {
     Renderer renderer;
     const Document few = furryBall(1000), many = furryBall(101000);
     View view = ballView(few, 16);
-    view.share = 0.02f;
+    view.detail = {.rule = Detail::Rule::share, .limit = 0.02f};
     renderer.draw(few, view);
     const std::size_t before = renderer.bytes();
     renderer.draw(many, view);
