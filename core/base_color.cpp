@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "source_check.h"
+#include "srgb.h"
 
 namespace pelage {
 namespace {

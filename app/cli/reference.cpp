@@ -6,6 +6,7 @@
 
 #include "app/render/headless.h"
 #include "app/render/reference_view.h"
+#include "core/pixels.h"
 
 namespace pelage {
 namespace {
