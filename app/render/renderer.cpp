@@ -317,6 +317,7 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
     // A single sample is shown as it is and not kept in the sum, so more of them begin anew.
     const bool single = wanted == 1;
     if (changed || !p.key || !(*p.key == key) || (p.single && !single)) p.samples = 0;
+    if (p.key && p.key->detail != key.detail) p.blurs = false;
     p.key = key;
     p.single = single;
     p.resize(view.size);

@@ -77,8 +77,8 @@ SkinDepth StrandPass::begin(const gl::Texture& skinDepth, const gl::Buffer& fram
     const std::size_t strips = static_cast<std::size_t>(window.x) * static_cast<std::size_t>(rows);
     const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     if (keys_.bytes() != pixels * sizeof(uint)) keys_.resize(pixels * sizeof(uint));
-    if (strips_.bytes() < strips * sizeof(float))
-        strips_.resize(pixels / SkinDepth::kTile * sizeof(float) + strips * sizeof(float));
+    const std::size_t most = pixels / SkinDepth::kTile + static_cast<std::size_t>(size.x);
+    if (strips_.bytes() != most * sizeof(float)) strips_.resize(most * sizeof(float));
     frameBlock.bindUniform(binding::frame);
     keys_.bindStorage(binding::keys);
     strips_.bindStorage(binding::strips);

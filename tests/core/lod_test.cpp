@@ -127,7 +127,7 @@ TEST(Lod, AllHairsHaveTheirOwnWidth) {
 TEST(Lod, HairsFadeInsteadOfVanishing) {
     float last[64];
     std::fill(std::begin(last), std::end(last), -1.0f);
-    for (float lod = 1.0f; lod > 0.2f; lod *= 0.99f) {
+    for (float lod = 0.83f; lod > 0.02f; lod *= 0.99f) {
         const Choice::Drawn level = levelOf(lod);
         for (uint i = 0; i < 64; ++i) {
             const float rank = (static_cast<float>(i) + 0.5f) / 64.0f;
