@@ -34,13 +34,9 @@ Rod hangingRod(double root, double load, int steps);
 // The rod's place at s, [0,1], between its nodes by cubic polynomials.
 glm::dvec2 placeOn(const Rod& rod, double s);
 
-// The table that shaders/rod.glsl reads.
-std::vector<vec4> makeRodTable();
-
-// It, made when first asked for (a tenth of a second), so that fur without rods pays nothing.
-inline const vec4* rodTable() {
-    static const std::vector<vec4> table = makeRodTable();
-    return table.data();
-}
+// The table that shaders/rod.glsl reads: kRodTexels of each of kRodNodes * kRodNodes nodes.
+// Made when first asked for (a tenth of a second), so that fur without rods pays nothing. Always the
+// same: the compiler may ask once for many hairs.
+[[gnu::const]] const vec4* rodTable();
 
 }  // namespace pelage

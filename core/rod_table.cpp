@@ -156,8 +156,6 @@ void fillColumn(std::size_t i, std::span<vec4> texels) {
     }
 }
 
-}  // namespace
-
 std::vector<vec4> makeRodTable() {
     std::vector<vec4> table(kRodNodes * kRodNodes * kRodTexels);
     // Isolated: a thread that waits here must not take up work that asks for the table.
@@ -168,6 +166,13 @@ std::vector<vec4> makeRodTable() {
         });
     });
     return table;
+}
+
+}  // namespace
+
+const vec4* rodTable() {
+    static const std::vector<vec4> table = makeRodTable();
+    return table.data();
 }
 
 }  // namespace pelage

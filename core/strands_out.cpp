@@ -21,27 +21,31 @@ bool grows(const Growth& growth, const Cluster& cluster, uint k) {
            lengthAt(root, a.furLength, b.furLength, c.furLength, growth.fur) > 0.0f;
 }
 
+bool hasRods(const Fur& fur) { return isRodCoat(fur.over) || isRodCoat(fur.under); }
+
+template <bool kRod>
 Strand spine(const Growth& growth, const Root& root) {
+    assert(kRod || !hasRods(growth.fur));  // from which the compiler sees what it may leave out
     const uvec3 t = growth.skin.triangles[root.triangle];
     const auto& vertices = growth.skin.vertices;
-    return growStrand(
-        root, vertices[t.x], vertices[t.y], vertices[t.z], growth.painted[t.x], growth.painted[t.y],
-        growth.painted[t.z], growth.fur,
-        isOvercoat(root.id, growth.fur.share) ? growth.overWidth : growth.underWidth,
-        growth.seconds);
+    return growStrand(root, vertices[t.x], vertices[t.y], vertices[t.z], growth.painted[t.x],
+                      growth.painted[t.y], growth.painted[t.z], growth.fur,
+                      isOvercoat(root.id, growth.fur.share) ? growth.overWidth : growth.underWidth,
+                      growth.seconds);
 }
 
+template <bool kRod>
 Strand gathered(const Growth& growth, uint i) {
     const Root& root = growth.roots.roots[i];
-    const Strand s = spine(growth, root);
+    const Strand s = spine<kRod>(growth, root);
     const Coat& coat = s.coat == 0 ? growth.fur.over : growth.fur.under;
     if (!(coat.clump > 0.0f) || root.guide == i) return s;
-    return gatherStrand(s, spine(growth, growth.roots.roots[root.guide]), coat);
+    return gatherStrand(s, spine<kRod>(growth, growth.roots.roots[root.guide]), coat);
 }
 
-// The curves of a cluster from number `next` on. Coats that do not shape their hair have a function
-// of their own, in which the compiler sees that the spine is all there is.
-template <bool kShaped>
+// The curves of a cluster from number `next` on. Coats that do not shape their hair, or have no
+// rods, have functions of their own, in which the compiler sees that the spine is all there is.
+template <bool kShaped, bool kRod>
 void growCluster(const Growth& growth, const Cluster& cluster, const std::vector<char>& growing,
                  std::size_t next, Curves& curves) {
     const uint points = curves.pointsPerHair;
@@ -49,7 +53,8 @@ void growCluster(const Growth& growth, const Cluster& cluster, const std::vector
     for (uint k = 0; k < cluster.count; ++k) {
         const uint i = cluster.first + k;
         if (!growing[i]) continue;
-        const Strand s = kShaped ? gathered(growth, i) : spine(growth, growth.roots.roots[i]);
+        Strand s = kShaped ? gathered<kRod>(growth, i) : spine<kRod>(growth, growth.roots.roots[i]);
+        if (!kRod) s.droop = kDroopPaper;
         curves.rootWidth[next] = s.width;
         curves.root[next] = i;
         vec3* out = &curves.points[next++ * points];
@@ -109,11 +114,12 @@ Curves growCurves(const Growth& growth, uint segments) {
     curves.points.resize(first.back() * curves.pointsPerHair);
     curves.rootWidth.resize(first.back());
     curves.root.resize(first.back());
-    const bool shaped = isShapedCoat(fur.over) || isShapedCoat(fur.under);
+    const bool shaped = isShapedCoat(fur.over) || isShapedCoat(fur.under), rods = hasRods(fur);
+    const auto grow = shaped ? (rods ? growCluster<true, true> : growCluster<true, false>)
+                             : (rods ? growCluster<false, true> : growCluster<false, false>);
     tbb::parallel_for(clusters, [&](const auto& range) {
         for (std::size_t c = range.begin(); c < range.end(); ++c)
-            (shaped ? growCluster<true> : growCluster<false>)(growth, roots.clusters[c], growing,
-                                                              first[c], curves);
+            grow(growth, roots.clusters[c], growing, first[c], curves);
     });
     return curves;
 }
