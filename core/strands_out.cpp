@@ -85,7 +85,9 @@ Growth growthOf(const Document& document, const Roots& roots, float seconds) {
     return growth;
 }
 
-Strand grownStrand(const Growth& growth, uint root) { return gathered(growth, root); }
+Strand grownStrand(const Growth& growth, uint root) {
+    return hasRods(growth.fur) ? gathered<true>(growth, root) : gathered<false>(growth, root);
+}
 
 Curves growCurves(const Document& document, const Roots& roots, uint segments, float seconds) {
     return growCurves(growthOf(document, roots, seconds), segments);

@@ -31,6 +31,7 @@ float angleBetween(vec3 a, vec3 b) { return std::acos(std::clamp(glm::dot(a, b),
 float turnOf(const Coat& coat, const Cone& normals, const Cone& corners, float shortestMix) {
     if (!(normals.cosine > 0.0f) || !(corners.cosine > 0.0f) || coat.endRandomness >= 1.0f)
         return kPi;
+    if (coat.droop == kDroopElastica) return kPi;  // a rod may hang down
     // The normal is made unit between the corners, the painted direction is not.
     const float longer = (1.0f - coat.directionWeight) * (1.0f / normals.cosine - 1.0f);
     const float between = longer / std::max(shortestMix * corners.cosine, 1e-6f);
@@ -121,7 +122,7 @@ Tuft tuftOf(const Cluster& cluster, const Skin& skin, const Chunked<FurVertex>& 
 bool combsAlike(const Fur& a, const Fur& b) {
     const auto alike = [](const Coat& x, const Coat& y) {
         return x.stiffness == y.stiffness && x.endRandomness == y.endRandomness &&
-               x.directionWeight == y.directionWeight &&
+               x.directionWeight == y.directionWeight && x.droop == y.droop &&
                (x.relativeLength > 0.0f) == (y.relativeLength > 0.0f);
     };
     return alike(a.over, b.over) && alike(a.under, b.under) &&

@@ -88,6 +88,9 @@ TEST(Detail, WhatIsLeftOutOfShapedHairChangesNoPixel) {
         document.fur.over.style = document.fur.under.style = style;
         EXPECT_GT(expectSame(renderer, document, view, "style").clustersHidden, 0u) << style;
     }
+    document.fur.over.droop = document.fur.under.droop = kDroopElastica;
+    setBoth(document, &Coat::softness, 1.0f);
+    expectSame(renderer, document, view, "rods");
 }
 
 TEST(Detail, HairIsNeverLeftOutWhereItWasPaintedSince) {

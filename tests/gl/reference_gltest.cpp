@@ -24,7 +24,7 @@ TEST(ReferenceView, ThePictureWithLiveShadowsIsThatOfTheRenderer) {
     View view;
     view.size = ivec2(160);
     view.camera = framed(document.skin->center(), 0.6f, 0.6f, 0.2f, 1.0f);
-    view.cullByDistance = false;
+    view.detail.rule = Detail::Rule::all;
     view.segments = 16;
     view.samples = 32;
     Renderer renderer;
