@@ -96,6 +96,9 @@ SkinDepth StrandPass::begin(const gl::Texture& skinDepth, const gl::Buffer& fram
 void StrandPass::draw(const Mirror& mirror, const Fur& fur, uint coats, const StrandPlan& plan,
                       const gl::Buffer& frameBlock, const gl::Texture& picture,
                       const gl::Texture& skinDepth) {
+    std::vector<Part> parts;  // makes what is bound below, when it is first needed
+    addParts(parts, fur, coats, 0, plan.wideEnd, false);
+    addParts(parts, fur, coats, plan.narrowBegin, plan.end, true);
     replace(runs_, plan.runs);
     replace(groups_, plan.groups);
     const uvec2 zero(0);
@@ -111,9 +114,6 @@ void StrandPass::draw(const Mirror& mirror, const Fur& fur, uint coats, const St
     glBindTextureUnit(binding::skinDepth, skinDepth.name());
     glBindImageTexture(0, picture.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16F);
 
-    std::vector<Part> parts;
-    addParts(parts, fur, coats, 0, plan.wideEnd, false);
-    addParts(parts, fur, coats, plan.narrowBegin, plan.end, true);
     tried_ = 0;
     for (const auto pass : {&Pair::depth, &Pair::color}) {
         for (const Part& part : parts) {

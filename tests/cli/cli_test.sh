@@ -173,7 +173,7 @@ bad 2 'export .*--subdivide' export tetra.obj --subdivide 9 -o never.glb
 bad 1 'none\.txt: ' export tetra.obj --script none.txt -o never.glb
 bad 2 '--set over\.stiffness=3: over\.stiffness is 3, range 0\.\.1' \
     export tetra.obj --set over.stiffness=3 -o never.glb
-bad 2 '--set over\.softness=3: there is no parameter' export tetra.obj --set over.softness=3 -o never.glb
+bad 2 '--set over\.fluffiness=3: there is no parameter' export tetra.obj --set over.fluffiness=3 -o never.glb
 bad 2 '--set stiff: expected NAME=VALUE' export tetra.obj --set stiff -o never.glb
 bad 2 '--preset: there is no preset "poodle"' export tetra.obj --preset poodle -o never.glb
 bad 2 'export .*--hairs' export tetra.obj --hairs 5000001 -o never.glb

@@ -212,7 +212,7 @@ float strayOf(const Strand& s, uint segments) {
 }
 
 TEST(Lod, SegmentsKeepTheToleranceOnScreenOfHairsOfAnyLength) {
-    Coat coat;
+    Coat coat{};
     coat.stiffness = 0.02f;
     coat.directionWeight = 1.0f;
     for (const float angle : {0.1f, 0.7f, 1.4f}) {
