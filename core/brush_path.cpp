@@ -100,7 +100,7 @@ void PathImage::advance(const SkinQuery& query, const PathPoint& to, bool alongS
     // What is within the radius of the piece is no farther than `needed` from its ends. On open
     // skin more is measured, to serve the next pieces as well.
     const float steps = std::ceil(kReachSteps * static_cast<float>(length_) / radius);
-    const float most = radius * (1.0f + kLongestPiece + 1.0f / kReachSteps);
+    const float most = radius * (1.0f + kLongestPiece);
     const float needed = std::min(radius * (1.0f + steps / kReachSteps), most);
     std::swap(fromStart_, fromEnd_);
     fromEnd_.measure(query, *to_.foot, open_ ? most : needed);
