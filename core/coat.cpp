@@ -349,8 +349,8 @@ void checkRange(const std::string& path, const Parameter& row, vec3 value) {
 }
 
 uint choiceNamed(const std::string& path, const Parameter& row, std::string_view name) {
-    const auto found = std::ranges::find(row.choices, name,
-                                         [](const char* n) { return std::string_view(n); });
+    const auto found =
+        std::ranges::find(row.choices, name, [](const char* n) { return std::string_view(n); });
     if (found == row.choices.end())
         throw std::runtime_error(path + " is \"" + std::string(name) + "\", it may be " +
                                  rangeText(row));

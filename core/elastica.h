@@ -35,8 +35,8 @@ Rod hangingRod(double root, double load, int steps);
 glm::dvec2 placeOn(const Rod& rod, double s);
 
 // The table that shaders/rod.glsl reads: kRodTexels of each of kRodNodes * kRodNodes nodes.
-// Made when first asked for (a tenth of a second), so that fur without rods pays nothing. Always the
-// same: the compiler may ask once for many hairs.
+// Made when first asked for (a tenth of a second), so that fur without rods pays nothing. Always
+// the same: the compiler may ask once for many hairs.
 [[gnu::const]] const vec4* rodTable();
 
 }  // namespace pelage

@@ -20,7 +20,8 @@ float fadedWidth(float rank, float lod, float fade);
 float spaceNoise(vec3 p);
 vec3 pullAt(Fur fur, vec3 place, float seconds);
 
-Strand bendStrand(vec3 root, vec3 n, vec3 painted, float spineLength, Coat coat, uint id, vec3 pull);
+Strand bendStrand(vec3 root, vec3 n, vec3 painted, float spineLength, Coat coat, uint id,
+                  vec3 pull);
 Strand growStrand(Root root, SkinVertex a, SkinVertex b, SkinVertex c, FurVertex fa, FurVertex fb,
                   FurVertex fc, Fur fur, float autoWidth, float seconds);
 Strand gatherStrand(Strand s, Strand guide, Coat coat);

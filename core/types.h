@@ -6,7 +6,8 @@
 
 namespace pelage {
 
-using glm::vec2, glm::vec3, glm::vec4, glm::mat3, glm::mat3x4, glm::mat4, glm::uvec2, glm::uvec3, glm::ivec2;
+using glm::vec2, glm::vec3, glm::vec4, glm::mat3, glm::mat3x4, glm::mat4, glm::uvec2, glm::uvec3,
+    glm::ivec2;
 using uint = std::uint32_t;
 
 #include "shaders/types.glsl"

@@ -60,7 +60,6 @@ vec2 sampleOffset(int sample) {
     return {fraction(0.5 + n * 0.7548776662466927), fraction(0.5 + n * 0.5698402909980532)};
 }
 
-
 // What a sample is drawn into.
 struct Canvas {
     ivec2 size{0};

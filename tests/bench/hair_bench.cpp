@@ -48,7 +48,8 @@ void BM_BendStrand(benchmark::State& state) {
     uint i = 0;
     for (auto _ : state) {
         const vec3 n = safeUnit(directions[i & 1023u], vec3(0, 1, 0));
-        Strand s = bendStrand(vec3(0), n, directions[(i + 1) & 1023u], 0.04f, coat, i, vec3(0, -1, 0));
+        Strand s =
+            bendStrand(vec3(0), n, directions[(i + 1) & 1023u], 0.04f, coat, i, vec3(0, -1, 0));
         benchmark::DoNotOptimize(s);
         ++i;
     }

@@ -6,8 +6,8 @@
 // that of the bare skin. Errors are those of the drawn chords against the exact curve, in pixels.
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <cmath>
+#include <cstdio>
 #include <vector>
 
 #include "app/render/headless.h"
@@ -92,9 +92,10 @@ Errors errorsOf(const Hairs& hairs, uint style, float tolerance) {
     Errors errors;
     for (std::size_t i = 0; i < hairs.strands.size(); ++i) {
         const Strand& s = hairs.strands[i];
-        const uint segments = style == kStyleLine       ? 1u
-                              : style == kStylePolyline ? kPolylineSegments
-                                                        : segmentsFor(s, tolerance / hairs.pixels[i]);
+        const uint segments = style == kStyleLine ? 1u
+                              : style == kStylePolyline
+                                  ? kPolylineSegments
+                                  : segmentsFor(s, tolerance / hairs.pixels[i]);
         const float error =
             style == kStyleLine ? lineError(s) : chordError(s, static_cast<float>(segments));
         const double pixels = static_cast<double>(error * hairs.pixels[i]);

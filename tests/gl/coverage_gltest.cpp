@@ -175,13 +175,14 @@ TEST(Coverage, AnyNumberOfSegmentsGivesTheSameStraightHair) {
     }
     // Numbers outside [1, 16] count as the nearest in it.
     view.segments = 100;
-    // Flat hairs lie at one depth, and where two of them also share the last bits of their ids either
-    // may win a pixel.
+    // Flat hairs lie at one depth, and where two of them also share the last bits of their ids
+    // either may win a pixel.
     EXPECT_LT(test::distanceOf(test::linear(test::picture(renderer, document, view)), fine), 0.003);
     view.segments = 1;
     const auto least = test::linear(test::picture(renderer, document, view));
     view.segments = 0;
-    EXPECT_LT(test::distanceOf(test::linear(test::picture(renderer, document, view)), least), 0.003);
+    EXPECT_LT(test::distanceOf(test::linear(test::picture(renderer, document, view)), least),
+              0.003);
 }
 
 }  // namespace

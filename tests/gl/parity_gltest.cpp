@@ -127,8 +127,8 @@ Scene randomScene(uint seed) {
     return scene;
 }
 
-// Every parameter at random in its range, every fourth at an end of it. Without `shaped` hair is its
-// spine.
+// Every parameter at random in its range, every fourth at an end of it. Without `shaped` hair is
+// its spine.
 Fur randomFur(uint seed, uint droop, bool shaped) {
     test::Draws draws(seed);
     Fur fur = defaultFur();
@@ -173,8 +173,7 @@ Result onCpu(const Scene& scene, const Fur& fur, const Light& light, uint i) {
     Result r{};
     r.strand = grow(root);
     const Coat& coat = r.strand.coat == 0 ? fur.over : fur.under;
-    if (coat.clump > 0.0f)
-        r.strand = gatherStrand(r.strand, grow(scene.roots[root.guide]), coat);
+    if (coat.clump > 0.0f) r.strand = gatherStrand(r.strand, grow(scene.roots[root.guide]), coat);
     const Strand& s = r.strand;
     for (std::size_t k = 0; k < 4; ++k) {
         const float at = kPlaces[k];
@@ -227,8 +226,7 @@ float allowedOf(const Strand& s) {
     // What a rod reads from its table moves by up to ten times as much as where it reads.
     const bool rod = s.droop == kDroopElastica;
     if (!isShaped(s)) return (rod ? 5e-6f : 1e-6f) * s.spineLength + 1e-6f;
-    const float size =
-        s.spineLength + glm::length(s.guideOffset) + glm::length(s.guideWeightless);
+    const float size = s.spineLength + glm::length(s.guideOffset) + glm::length(s.guideWeightless);
     const float bend = std::max(glm::distance(s.weightless, s.end), 1e-6f);
     return 2e-5f * size + 1e-6f + 2e-6f * (s.curl + s.frizz) / bend;
 }
