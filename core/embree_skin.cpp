@@ -1,8 +1,9 @@
-// embree_skin.cpp -- Embree's device, its errors, the skin's triangles.
+// embree_skin.cpp -- Embree's device, its errors, the skin's triangles, rays.
 #include "embree_skin.h"
 
 #include <embree3/rtcore.h>
 
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -51,6 +52,31 @@ void attachSkin(RTCDeviceTy* device, RTCSceneTy* scene, const Skin& skin) {
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
+}
+
+RTCRay rayFrom(vec3 origin, vec3 direction, float nearest) {
+    RTCRay ray{};
+    ray.org_x = origin.x;
+    ray.org_y = origin.y;
+    ray.org_z = origin.z;
+    ray.dir_x = direction.x;
+    ray.dir_y = direction.y;
+    ray.dir_z = direction.z;
+    ray.tnear = nearest;
+    ray.tfar = INFINITY;
+    ray.mask = ~0u;
+    return ray;
+}
+
+std::optional<RTCRayHit> firstHit(RTCSceneTy* scene, vec3 origin, vec3 direction) {
+    RTCRayHit query{};
+    query.ray = rayFrom(origin, direction, 0.0f);
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene, &context, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    return query;
 }
 
 }  // namespace pelage

@@ -49,20 +49,6 @@ bool countBytes(void* bytes, ssize_t more, bool) {
 
 bool goOn(void* progress, double) { return !static_cast<Progress*>(progress)->cancel; }
 
-RTCRay rayOf(vec3 origin, vec3 direction, float nearest) {
-    RTCRay ray{};
-    ray.org_x = origin.x;
-    ray.org_y = origin.y;
-    ray.org_z = origin.z;
-    ray.dir_x = direction.x;
-    ray.dir_y = direction.y;
-    ray.dir_z = direction.z;
-    ray.tnear = nearest;
-    ray.tfar = INFINITY;
-    ray.mask = ~0u;
-    return ray;
-}
-
 }  // namespace
 
 struct RayScene::Parts {
@@ -151,26 +137,21 @@ RayScene::RayScene(std::shared_ptr<const Skin> skin, const Curves& curves,
 RayScene::~RayScene() = default;
 
 std::optional<RayHit> RayScene::cast(vec3 origin, vec3 direction) const {
-    RTCRayHit query{};
-    query.ray = rayOf(origin, direction, 0.0f);
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(parts_->scene, &context, &query);
-    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    const std::optional<RTCRayHit> met = firstHit(parts_->scene, origin, direction);
+    if (!met) return std::nullopt;
 
     RayHit hit;
-    hit.facing = glm::normalize(vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z));
+    hit.facing = glm::normalize(vec3(met->hit.Ng_x, met->hit.Ng_y, met->hit.Ng_z));
     if (glm::dot(hit.facing, direction) > 0.0f) hit.facing = -hit.facing;
-    hit.onHair = query.hit.geomID == parts_->hairGeometry;
+    hit.onHair = met->hit.geomID == parts_->hairGeometry;
     if (hit.onHair) {
-        const uint segment = query.hit.primID % parts_->segments;
-        hit.number = query.hit.primID / parts_->segments;
-        hit.t = (static_cast<float>(segment) + query.hit.u) / static_cast<float>(parts_->segments);
-        hit.place = origin + query.ray.tfar * direction;
+        const uint segment = met->hit.primID % parts_->segments;
+        hit.number = met->hit.primID / parts_->segments;
+        hit.t = (static_cast<float>(segment) + met->hit.u) / static_cast<float>(parts_->segments);
+        hit.place = origin + met->ray.tfar * direction;
     } else {
-        hit.number = query.hit.primID;
-        hit.weights = vec3(1.0f - query.hit.u - query.hit.v, query.hit.u, query.hit.v);
+        hit.number = met->hit.primID;
+        hit.weights = vec3(1.0f - met->hit.u - met->hit.v, met->hit.u, met->hit.v);
         const uvec3 corners = parts_->skin->triangles[hit.number];
         for (int c = 0; c < 3; ++c)
             hit.place += hit.weights[c] * parts_->skin->vertices[corners[c]].position;
@@ -188,7 +169,7 @@ bool RayScene::blocked(const RayHit& from, vec3 direction, float share, uint see
     context.own = from.number;
     context.share = share;
     context.seed = seed;
-    RTCRay ray = rayOf(from.place, direction, kNearest * parts_->radius);
+    RTCRay ray = rayFrom(from.place, direction, kNearest * parts_->radius);
     rtcOccluded1(parts_->scene, &context.embree, &ray);
     return ray.tfar < 0.0f;
 }

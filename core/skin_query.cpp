@@ -258,26 +258,14 @@ std::optional<SkinHit> SkinQuery::cast(vec3 origin, vec3 direction) const {
     if (!(length > 0.0f) || !std::isfinite(length)) return std::nullopt;
     direction /= length;
 
-    RTCRayHit query{};
-    query.ray.org_x = origin.x;
-    query.ray.org_y = origin.y;
-    query.ray.org_z = origin.z;
-    query.ray.dir_x = direction.x;
-    query.ray.dir_y = direction.y;
-    query.ray.dir_z = direction.z;
-    query.ray.tfar = INFINITY;
-    query.ray.mask = ~0u;
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(scenes_->rays, &context, &query);
-    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    const std::optional<RTCRayHit> met = firstHit(scenes_->rays, origin, direction);
+    if (!met) return std::nullopt;
 
     SkinHit hit;
-    hit.triangle = query.hit.primID;
-    hit.u = query.hit.u;
-    hit.v = query.hit.v;
-    hit.distance = query.ray.tfar;
+    hit.triangle = met->hit.primID;
+    hit.u = met->hit.u;
+    hit.v = met->hit.v;
+    hit.distance = met->ray.tfar;
     const uvec3 corners = skin().triangles[hit.triangle];
     const vec3 a = skin().vertices[corners.x].position;
     const vec3 b = skin().vertices[corners.y].position;

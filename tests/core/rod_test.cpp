@@ -11,24 +11,16 @@
 #include "core/elastica.h"
 #include "core/shape_error.h"
 #include "core/strand.h"
+#include "rods.h"
 #include "test_skins.h"
 
 namespace pelage {
 namespace {
 
+using test::kDown, test::rodCoat;
+
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kDegree = kPi / 180.0;
-const vec3 kDown(0, -1, 0);
-
-Coat rodCoat(float stiffness, float softness) {
-    Coat coat = defaultFur().over;
-    coat.droop = kDroopElastica;
-    coat.stiffness = stiffness;
-    coat.softness = softness;
-    coat.directionWeight = 1.0f;
-    coat.endRandomness = 0.0f;
-    return coat;
-}
 
 // A hair of length 1 that leaves a skin of normal n towards w.
 Strand rodHair(vec3 n, vec3 w, const Coat& coat) {

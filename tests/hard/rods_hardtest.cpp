@@ -9,24 +9,16 @@
 
 #include "core/coat.h"
 #include "core/strand.h"
+#include "rods.h"
 #include "test_skins.h"
 
 namespace pelage {
 namespace {
 
+using test::kDown, test::rodCoat;
+
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
-const vec3 kDown(0, -1, 0);
-
-Coat rodCoat(float stiffness, float softness) {
-    Coat coat = defaultFur().over;
-    coat.droop = kDroopElastica;
-    coat.stiffness = stiffness;
-    coat.softness = softness;
-    coat.directionWeight = 1.0f;
-    coat.endRandomness = 0.0f;
-    return coat;
-}
 
 // How deep the spine goes below the plane of its root before it is lifted, in its lengths.
 float depthOf(const Strand& s) {
