@@ -11,6 +11,7 @@
 #include "gltf_carry.h"
 #include "gltf_file.h"
 #include "json_place.h"
+#include "text.h"
 
 namespace pelage {
 namespace {
@@ -20,21 +21,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kVersion = 1;
 constexpr std::size_t kMostBytes = std::size_t{1} << 18;
 constexpr std::size_t kMostName = 60, kMostAuthor = 100, kMostNote = 1000;  // bytes
-
-std::string base64(std::span<const std::byte> bytes) {
-    constexpr std::string_view kDigits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const auto byte = [&](std::size_t k) {
-            return i + k < bytes.size() ? std::to_integer<std::uint32_t>(bytes[i + k]) : 0u;
-        };
-        const std::uint32_t bits = byte(0) << 16 | byte(1) << 8 | byte(2);
-        for (std::size_t k = 0; k < 4; ++k)
-            text += i + k > bytes.size() ? '=' : kDigits[bits >> (18 - 6 * k) & 63u];
-    }
-    return text;
-}
 
 std::string lineOf(const JsonPlace& root, const char* member, std::size_t most) {
     std::string text = root.string(member);

@@ -63,6 +63,7 @@ int runCommandLine(int argc, char** argv) {
     addRender(app, json);
     addExport(app, json);
     addCompare(app, json);
+    addMeasure(app, json);
     addAnimal(app, json);
     addPreset(app, json);
     addPresets(app, json);

@@ -21,6 +21,7 @@ void addInfo(CLI::App& app, bool& json);
 void addRender(CLI::App& app, bool& json);
 void addExport(CLI::App& app, bool& json);
 void addCompare(CLI::App& app, bool& json);
+void addMeasure(CLI::App& app, bool& json);
 void addAnimal(CLI::App& app, bool& json);
 void addPreset(CLI::App& app, bool& json);
 void addPresets(CLI::App& app, bool& json);

@@ -1,4 +1,6 @@
 // compare.cpp -- pelage compare: how far a picture is from its reference.
+#include "app/cli/compare.h"
+
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -31,13 +33,8 @@ OrderedJson jsonOf(const Options& options, const ImageErrors& errors) {
     OrderedJson result = {{"image", options.image},
                           {"reference", options.reference},
                           {"width", errors.flipMap.size.x},
-                          {"height", errors.flipMap.size.y},
-                          {"rmse", errors.rmse},
-                          {"luminanceBias", errors.luminanceBias},
-                          {"flipMean", errors.flipMean},
-                          {"flip99", errors.flip99},
-                          {"ssim", errors.ssim},
-                          {"coverage", jsonOf(errors.coverage)}};
+                          {"height", errors.flipMap.size.y}};
+    result.update(jsonOf(errors));
     if (!options.heat.empty()) result["heat"] = options.heat;
     return result;
 }
@@ -87,6 +84,12 @@ void compare(const Options& options, bool json) {
 }
 
 }  // namespace
+
+OrderedJson jsonOf(const ImageErrors& errors) {
+    return {{"rmse", errors.rmse},         {"luminanceBias", errors.luminanceBias},
+            {"flipMean", errors.flipMean}, {"flip99", errors.flip99},
+            {"ssim", errors.ssim},         {"coverage", jsonOf(errors.coverage)}};
+}
 
 void addCompare(CLI::App& app, bool& json) {
     CLI::App* verb = app.add_subcommand("compare", "Say how far a picture is from its reference");

@@ -1,12 +1,9 @@
 // picture.cpp -- pictures without a window.
 #include "app/cli/picture.h"
 
-#include <algorithm>
-#include <cassert>
-#include <chrono>
-
 #include "app/session.h"
 #include "core/pixels.h"
+#include "core/skin_query.h"
 
 namespace pelage {
 
@@ -16,34 +13,14 @@ Camera framedCamera(const Document& document, float yaw, float pitch, ivec2 size
     return framed(skin.center(), modelRadius(skin), yaw, pitch, aspect);
 }
 
-FrameStats drawFinished(Renderer& renderer, const Document& document, const View& view) {
-    FrameStats stats = renderer.draw(document, view);
-    for (int i = 1; i < view.samples && !stats.finished; ++i) stats = renderer.draw(document, view);
-    return stats;
-}
-
-std::vector<double> timeFrames(Renderer& renderer, const Document& document, View view,
-                               int repeat) {
-    view.samples = 1;
-    const float yaw = view.camera.yaw;
-    std::vector<double> times;
-    for (int i = 0; i <= repeat; ++i) {
-        // A camera that moves by less than a pixel makes the picture begin anew.
-        view.camera.yaw = yaw + 1e-5f * static_cast<float>(i + 1);
-        const auto start = std::chrono::steady_clock::now();
-        renderer.draw(document, view);
-        const std::chrono::duration<double, std::milli> time =
-            std::chrono::steady_clock::now() - start;
-        if (i > 0) times.push_back(time.count());
+Camera zoomed(const Document& document, Camera camera, float share) {
+    if (share < 1.0f) {
+        const SkinQuery query(document.skin);
+        if (const auto hit = query.cast(camera.eye(), camera.forward()))
+            camera.target = hit->position;
     }
-    return times;
-}
-
-double median(std::vector<double> values) {
-    assert(!values.empty());
-    std::ranges::sort(values);
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+    camera.distance *= share;
+    return camera;
 }
 
 void writePicture(const std::string& path, const Renderer& renderer, ivec2 size) {

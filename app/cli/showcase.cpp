@@ -1,5 +1,4 @@
 // showcase.cpp -- what `pelage` does where there is no display: pictures and a groomed .glb.
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -9,7 +8,6 @@
 #include "app/cli/print.h"
 #include "core/animal.h"
 #include "core/gltf_out.h"
-#include "core/skin_query.h"
 
 namespace pelage {
 namespace {
@@ -31,14 +29,9 @@ constexpr Angle kAngles[] = {
 };
 
 Camera cameraFor(const Document& document, const Angle& angle) {
-    Camera camera =
+    const Camera camera =
         framedCamera(document, glm::radians(angle.yaw), glm::radians(angle.pitch), kSize);
-    if (angle.zoom >= 1.0f) return camera;
-    // A close-up looks at the skin in the middle of the picture.
-    const SkinQuery query(document.skin);
-    if (const auto hit = query.cast(camera.eye(), camera.forward())) camera.target = hit->position;
-    camera.distance *= angle.zoom;
-    return camera;
+    return zoomed(document, camera, angle.zoom);
 }
 
 }  // namespace

@@ -8,9 +8,9 @@ trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 unset DISPLAY WAYLAND_DISPLAY
 export XDG_DATA_HOME=$work/data
-for tool in node identify; do
+for tool in node identify xmllint; do
     command -v $tool >/dev/null && continue
-    echo "$tool is not installed (Debian: nodejs, imagemagick)"
+    echo "$tool is not installed (Debian: nodejs, imagemagick, libxml2-utils)"
     exit 1
 done
 failures=0
@@ -78,7 +78,7 @@ OBJ
 good --version
 grep -qE '^pelage [0-9]+\.[0-9]+\.[0-9]+$' out.txt || fail "version: $(cat out.txt)"
 good --help
-for verb in info render export compare animal preset presets; do
+for verb in info render export compare measure animal preset presets; do
     good --help
     grep -q "  $verb " out.txt || fail "help does not name $verb"
     good "$verb" --help
@@ -312,6 +312,42 @@ bad 1 'tetra\.obj: is no PNG or JPEG picture' compare tetra.obj plain.png
 bad 1 'no/such/h\.png: ' compare plain.png plain.png --heat no/such/h.png
 bad 2 'compare .*"h\.jpg" does not end in \.png' compare plain.png plain.png --heat h.jpg
 bad 2 'compare .*REFERENCE is required' compare plain.png
+
+# Measure.
+json 'j.rows.length === 8' 'j.views.map(v => v.name).join() === "middle"' 'j.output === "new/r"' \
+    'j.rows.every(r => r.view === "middle" && r.ms > 0 && r.msLeast <= r.msFrame)' \
+    'j.rows.map(r => r.technique + " " + r.value).join() ===
+        "hairs 1/8,hairs 1/4,hairs 1/2,hairs 1,samples 1,samples 4,samples 16,samples 64"' \
+    'j.rows.every(r => r.ms === r.samples * r.msFrame)' 'j.rows.some(r => r.front)' \
+    'j.rows.every(r => r.drawing.noiseShare === r.drawing.noise / r.drawing.rmse)' \
+    'j.rows.every(r => r.light.trusted === (r.light.noiseShare <= 0.2))' \
+    'j.rows[3].drawing.rmse < j.rows[0].drawing.rmse' 'j.rows[0].hairsDrawn < j.rows[3].hairsDrawn' \
+    'Math.abs(j.rows[3].drawing.coverage.areaRatio - 1) < 0.1' \
+    'j.approaches.map(a => a.technique).join() === "hairs,samples"' 'j.cores > 0 && j.processor' \
+    '/^20[0-9]{2}-[0-9]{2}-[0-9]{2}$/.test(j.date)' 'j.width === 64 && j.spp === 16' \
+    -- measure --animal 2000 --hairs 3000 --views middle --techniques samples,hairs --size 64 \
+    --spp 16 --repeat 2 -o new/r --json
+for file in html csv json; do
+    [ -s "new/r/report.$file" ] || fail "measure wrote no report.$file"
+done
+for file in new/r/report.html new/r/plot.svg; do
+    xmllint --noout "$file" 2>xml.txt || fail "$file is not well-formed: $(head -1 xml.txt)"
+done
+grep -qE '(src|href)="(http|/)' new/r/report.html && fail "report.html needs other files"
+[ "$(wc -l <new/r/report.csv)" = 9 ] || fail "report.csv has $(wc -l <new/r/report.csv) lines"
+[ "$(awk -F, '{ print NF }' new/r/report.csv | uniq | wc -l)" = 1 ] || fail "columns of report.csv"
+head -1 new/r/report.csv | grep -q ',drawing.rmse,.*,light.rmse,' || fail "heads of report.csv"
+good measure tetra.obj --hairs 100 --views far --techniques distance --size 16 --spp 2 --repeat 1 -o new/r
+grep -q '^wrote report.html, .* to new/r: 1 pictures, views: 1$' out.txt || fail "measure: $(cat out.txt)"
+[ "$(ls new/r)" = $'plot.svg\nreport.csv\nreport.html\nreport.json' ] || fail "measure: $(ls new/r)"
+bad 2 'measure .*--views: .*close.*middle.*far' measure tetra.obj --views near -o never
+bad 2 'measure .*--techniques: .*hairs.*samples' measure tetra.obj --techniques hairs,magic -o never
+bad 2 'measure .*--spp' measure tetra.obj --spp 1 -o never
+bad 2 'measure .*--output is required' measure tetra.obj
+bad 1 'never\.obj: ' measure never.obj -o never
+[ ! -e never ] || fail "a refused measure made its folder"
+bad 1 'tetra\.obj/x: Not a directory$' measure tetra.obj --size 16 --spp 2 -o tetra.obj/x
+bad 1 'tetra\.obj: Not a directory$' measure tetra.obj --size 16 --spp 2 -o tetra.obj
 
 # Wrong use of the program itself.
 bad 2 '.*--nonsense' --nonsense

@@ -53,7 +53,8 @@ TEST(Architecture, HeadersOfCoreHideTheLibrariesBehindThem) {
 }
 
 TEST(Architecture, TheRendererKnowsNeitherWindowsNorWidgets) {
-    expectNone(includesOf("app/render", {".h", ".cpp"}), R"([<"](GLFW|imgui|CLI/))");
+    for (const char* folder : {"app/render", "app/measure"})
+        expectNone(includesOf(folder, {".h", ".cpp"}), R"([<"](GLFW|imgui|CLI/))");
 }
 
 TEST(Architecture, NoRandomNumbersOfTheLibraryAndNoClockInCore) {

@@ -45,5 +45,31 @@ TEST(InQuotes, IsOneShortLineWithoutControlCodes) {
     EXPECT_EQ(inQuotes(std::string(81, 'x')), '"' + std::string(80, 'x') + "...\"");
 }
 
+TEST(MarkupText, HoldsNoTagsEntitiesQuotesOrControlCodes) {
+    EXPECT_EQ(markupText("a<b>&\"c\"\n"), "a&lt;b&gt;&amp;&quot;c&quot; ");
+}
+
+TEST(CsvField, IsQuotedWhereItHasToBe) {
+    EXPECT_EQ(csvField("plain text"), "plain text");
+    EXPECT_EQ(csvField(""), "");
+    EXPECT_EQ(csvField("a,b"), "\"a,b\"");
+    EXPECT_EQ(csvField("5\" wide"), "\"5\"\" wide\"");
+    EXPECT_EQ(csvField("two\nlines"), "\"two\nlines\"");
+    EXPECT_EQ(csvField("cr\r"), "\"cr\r\"");
+}
+
+// The vectors of RFC 4648, section 10.
+TEST(Base64, IsThatOfTheStandardWithPadding) {
+    const std::pair<std::string_view, const char*> vectors[] = {{"", ""},
+                                                                {"f", "Zg=="},
+                                                                {"fo", "Zm8="},
+                                                                {"foo", "Zm9v"},
+                                                                {"foob", "Zm9vYg=="},
+                                                                {"fooba", "Zm9vYmE="},
+                                                                {"foobar", "Zm9vYmFy"}};
+    for (const auto& [text, coded] : vectors)
+        EXPECT_EQ(base64(std::as_bytes(std::span(text))), coded);
+}
+
 }  // namespace
 }  // namespace pelage

@@ -1,0 +1,103 @@
+// knobs.cpp -- the rows.
+#include "app/measure/knobs.h"
+
+#include <array>
+
+namespace pelage {
+namespace {
+
+constexpr std::array kHairNames = {"1/8", "1/4", "1/2", "1"};
+constexpr std::array kHairShares = {0.125f, 0.25f, 0.5f, 1.0f};
+
+void turnHairs(std::size_t value, Fur&, View& view) {
+    view.detail = {Detail::Rule::share, kHairShares[value], 0.0f};
+}
+
+constexpr std::array kDistanceNames = {"by distance"};
+
+void turnDistance(std::size_t, Fur&, View& view) { view.detail.rule = Detail::Rule::distance; }
+
+constexpr std::array kPixelNames = {"4 px", "2 px", "1 px", "0.5 px", "0.25 px"};
+constexpr std::array kPixels = {4.0f, 2.0f, 1.0f, 0.5f, 0.25f};
+
+void turnPixels(std::size_t value, Fur&, View& view) {
+    view.detail = {Detail::Rule::pixels, kPixels[value], 0.0f};
+}
+
+void setStyle(Fur& fur, uint style) { fur.over.style = fur.under.style = style; }
+
+constexpr std::array kSegmentNames = {"1", "2", "4", "8", "16"};
+constexpr std::array kSegments = {1u, 2u, 4u, 8u, 16u};
+
+void turnSegments(std::size_t value, Fur& fur, View& view) {
+    setStyle(fur, kStylePolyline);
+    view.segments = kSegments[value];
+    view.tolerance = 1e6f;  // curls and frizz ask for no more than that
+}
+
+constexpr std::array kToleranceNames = {"10 px", "3 px", "1 px", "0.3 px", "0.1 px"};
+constexpr std::array kTolerances = {10.0f, 3.0f, 1.0f, 0.3f, 0.1f};
+
+void turnTolerance(std::size_t value, Fur& fur, View& view) {
+    setStyle(fur, kStyleRibbon);
+    view.tolerance = kTolerances[value];
+}
+
+constexpr std::array kStyleNames = {"line", "polyline", "ribbon", "nurbs-curve", "nurbs-surface"};
+
+void turnStyle(std::size_t value, Fur& fur, View&) { setStyle(fur, static_cast<uint>(value)); }
+
+constexpr std::array kSideNames = {"3", "4", "5", "6", "8"};
+constexpr std::array kSides = {3u, 4u, 5u, 6u, 8u};
+
+void turnSides(std::size_t value, Fur& fur, View& view) {
+    setStyle(fur, kStyleTube);
+    view.sides = kSides[value];
+}
+
+constexpr std::array kSampleNames = {"1", "4", "16", "64"};
+constexpr std::array kSamples = {1, 4, 16, 64};
+
+void turnSamples(std::size_t value, Fur&, View& view) { view.samples = kSamples[value]; }
+
+constexpr std::array kTechniques = {
+    Technique{"hairs", "share of the hairs (they get wider)", true, kHairNames, turnHairs,
+              "edges of pixels beyond 16 samples; 16 segments for a curve"},
+    Technique{"distance", "hairs thinned as the distance asks", false, kDistanceNames, turnDistance,
+              "hairs thinner than a pixel, which fewer and wider ones stand for"},
+    Technique{"detail", "deviation that is asked for", true, kPixelNames, turnPixels,
+              "hairs thinner than that, which fewer and wider ones stand for"},
+    Technique{"segments", "segments of a polyline", true, kSegmentNames, turnSegments,
+              "edges of pixels beyond 16 samples"},
+    Technique{
+        "ribbon", "deviation from the curve that is allowed", true, kToleranceNames, turnTolerance,
+        "the hair's round ends; it is lit as round across its width, the reference as a line"},
+    Technique{"style", "how both coats are drawn", false, kStyleNames, turnStyle,
+              "a line: the bend and the hair's own shading; a nurbs-curve: the change of color "
+              "along the hair; ribbon and nurbs-surface are lit as round across their width, the "
+              "reference as a line"},
+    Technique{
+        "sides", "sides of a tube", true, kSideNames, turnSides,
+        "the hair's round ends; it is lit as round across its width, the reference as a line"},
+    Technique{"samples", "frames in the mean", true, kSampleNames, turnSamples,
+              "16 segments stand for a curve"},
+};
+
+constexpr std::array kNearnesses = {Nearness{"close", 0.25f}, Nearness{"middle", 1.0f},
+                                    Nearness{"far", 6.0f}};
+
+}  // namespace
+
+std::span<const Technique> techniques() { return kTechniques; }
+
+View measuredView() {
+    View view;
+    view.detail.rule = Detail::Rule::all;
+    view.segments = 16;
+    view.samples = 16;
+    return view;
+}
+
+std::span<const Nearness> nearnesses() { return kNearnesses; }
+
+}  // namespace pelage

@@ -1,0 +1,214 @@
+// plot.cpp -- axes, ticks, marks and legend.
+#include "plot.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+
+#include "text.h"
+
+namespace pelage {
+namespace {
+
+// Okabe and Ito, "Color Universal Design", 2008: told apart by people of all kinds of sight.
+constexpr std::array kColors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                "#a07000", "#56b4e9", "#000000", "#808080"};
+constexpr double kWide = 460.0, kHigh = 360.0;  // of one plot
+constexpr double kLeft = 62.0, kRight = 30.0, kTop = 34.0, kBottom = 46.0, kLegend = 66.0;
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", value);
+    return text;
+}
+
+// name="value" for coordinates.
+std::string at(const char* name, double value) {
+    char text[48];
+    std::snprintf(text, sizeof text, " %s=\"%.1f\"", name, value);
+    return text;
+}
+
+std::string textAt(double x, double y, const std::string& text, const std::string& rest) {
+    return "<text" + at("x", x) + at("y", y) + " " + rest + ">" + markupText(text) + "</text>\n";
+}
+
+std::string lineTo(double x0, double y0, double x1, double y1, const char* rest) {
+    return "<line" + at("x1", x0) + at("y1", y0) + at("x2", x1) + at("y2", y1) + " " + rest +
+           "/>\n";
+}
+
+bool hasPlace(const PlotPoint& p) {
+    return p.x > 0.0 && p.y > 0.0 && std::isfinite(p.x) && std::isfinite(p.y);
+}
+
+// A logarithmic axis from one end of the picture to the other.
+struct Axis {
+    double least = 0.0, greatest = 0.0;  // 0 while nothing is on it
+    double from = 0.0, to = 0.0;         // pixels
+
+    void hold(double value) {
+        least = least > 0.0 ? std::min(least, value) : value;
+        greatest = std::max(greatest, value);
+    }
+    // Some room at both ends, and at least a factor of two.
+    void widen() {
+        if (greatest <= 0.0) least = greatest = 1.0;
+        const double more = std::max(std::pow(greatest / least, 0.08), 1.0) *
+                            (greatest < 2.0 * least ? std::sqrt(2.0) : 1.0);
+        least /= more;
+        greatest *= more;
+    }
+    double place(double value) const {
+        return from + (to - from) * std::log(value / least) / std::log(greatest / least);
+    }
+    std::vector<double> ticks() const {
+        std::vector<double> found;
+        for (double decade = std::pow(10.0, std::floor(std::log10(least))); decade <= greatest;
+             decade *= 10.0)
+            for (const double step : {1.0, 2.0, 5.0})
+                if (step * decade >= least && step * decade <= greatest)
+                    found.push_back(step * decade);
+        return found;
+    }
+};
+
+struct Frame {
+    Axis x, y;
+};
+
+Frame frameOf(const Plot& plot, double left) {
+    Frame frame;
+    for (const PlotSeries& series : plot.series)
+        for (const PlotPoint& p : series.points)
+            if (hasPlace(p)) {
+                frame.x.hold(p.x);
+                frame.y.hold(p.y);
+            }
+    frame.x.widen();
+    frame.y.widen();
+    frame.x.from = left + kLeft;
+    frame.x.to = left + kWide - kRight;
+    frame.y.from = kHigh - kBottom;
+    frame.y.to = kTop;
+    return frame;
+}
+
+std::string axesOf(const Plot& plot, const Frame& f) {
+    const double middle = 0.5 * (f.x.from + f.x.to);
+    std::string svg;
+    for (const double tick : f.x.ticks()) {
+        const double x = f.x.place(tick);
+        svg += lineTo(x, f.y.from, x, f.y.to, "stroke=\"#e4e4e4\"");
+        svg += textAt(x, f.y.from + 15.0, number(tick), "text-anchor=\"middle\"");
+    }
+    for (const double tick : f.y.ticks()) {
+        const double y = f.y.place(tick);
+        svg += lineTo(f.x.from, y, f.x.to, y, "stroke=\"#e4e4e4\"");
+        svg += textAt(f.x.from - 6.0, y + 4.0, number(tick), "text-anchor=\"end\"");
+    }
+    svg += lineTo(f.x.from, f.y.from, f.x.to, f.y.from, "stroke=\"#444\"");
+    svg += lineTo(f.x.from, f.y.from, f.x.from, f.y.to, "stroke=\"#444\"");
+    svg += textAt(middle, f.y.to - 14.0, plot.title,
+                  "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
+    svg += textAt(middle, f.y.from + 34.0, plot.xLabel, "text-anchor=\"middle\"");
+    svg += textAt(f.x.from, f.y.to - 3.0, plot.yLabel, "text-anchor=\"start\"");
+    if (plot.floor > f.y.least && plot.floor < f.y.greatest) {
+        const double y = f.y.place(plot.floor);
+        svg += lineTo(f.x.from, y, f.x.to, y, "stroke=\"#888\" stroke-dasharray=\"4 3\"");
+        svg += textAt(f.x.to, y - 4.0, plot.floorLabel, "text-anchor=\"end\" fill=\"#666\"");
+    }
+    return svg;
+}
+
+std::string polyline(const Frame& f, const std::vector<PlotPoint>& points,
+                     const std::string& rest) {
+    std::string svg = "<polyline fill=\"none\" " + rest + " points=\"";
+    for (const PlotPoint& p : points) {
+        char place[48];
+        std::snprintf(place, sizeof place, "%.1f,%.1f ", f.x.place(p.x), f.y.place(p.y));
+        svg += place;
+    }
+    return svg + "\"/>\n";
+}
+
+// The points of the series of that number. Labels of four neighbors go to four sides, since points
+// of different series often lie together.
+std::string marksOf(const Frame& f, const PlotSeries& series, std::size_t which) {
+    const char* const color = kColors[which % kColors.size()];
+    const double aside = which & 2u ? -6.0 : 6.0, above = which & 1u ? 12.0 : -5.0;
+    std::vector<PlotPoint> points;
+    std::ranges::copy_if(series.points, std::back_inserter(points), hasPlace);
+    std::string svg =
+        polyline(f, points, std::string("stroke-width=\"1.5\" stroke=\"") + color + "\"");
+    for (const PlotPoint& p : points) {
+        const double x = f.x.place(p.x), y = f.y.place(p.y);
+        svg += "<circle" + at("cx", x) + at("cy", y) + " r=\"3.5\" fill=\"" + color + "\"";
+        if (p.front) svg += " stroke=\"#111\" stroke-width=\"2\"";
+        svg += "><title>" +
+               markupText(series.name + " " + p.label + ": " + number(p.x) + ", " + number(p.y)) +
+               "</title></circle>\n";
+        svg += textAt(x + aside, y + above, p.label,
+                      std::string("font-size=\"10\" text-anchor=\"") +
+                          (aside > 0.0 ? "start" : "end") + "\" fill=\"" + color + "\"");
+    }
+    return svg;
+}
+
+std::string plotAt(const Plot& plot, double left) {
+    const Frame frame = frameOf(plot, left);
+    std::vector<PlotPoint> front;
+    for (const PlotSeries& series : plot.series)
+        std::ranges::copy_if(series.points, std::back_inserter(front),
+                             [](const PlotPoint& p) { return p.front && hasPlace(p); });
+    std::ranges::sort(front, {}, &PlotPoint::x);
+    std::string svg = axesOf(plot, frame);
+    svg +=
+        polyline(frame, front, "stroke-width=\"7\" stroke=\"#ffe08a\" stroke-linejoin=\"round\"");
+    for (std::size_t i = 0; i < plot.series.size(); ++i) svg += marksOf(frame, plot.series[i], i);
+    return svg;
+}
+
+// In as many lines as the width asks for.
+std::string legendOf(const std::vector<PlotSeries>& series, double wide) {
+    std::string svg;
+    double x = kLeft, y = kHigh + 12.0;
+    const auto entry = [&](const std::string& mark, const std::string& name) {
+        const double needed = 34.0 + 7.0 * static_cast<double>(name.size());
+        if (x + needed > wide) {
+            x = kLeft;
+            y += 16.0;
+        }
+        svg += "<g transform=\"translate(" + number(x) + " " + number(y) + ")\">" + mark +
+               textAt(18.0, 4.0, name, "") + "</g>\n";
+        x += needed;
+    };
+    for (std::size_t i = 0; i < series.size(); ++i)
+        entry(
+            std::string("<circle cx=\"7\" r=\"4\" fill=\"") + kColors[i % kColors.size()] + "\"/>",
+            series[i].name);
+    entry(lineTo(0.0, 0.0, 14.0, 0.0, "stroke=\"#ffe08a\" stroke-width=\"7\""), "Pareto front");
+    return svg;
+}
+
+}  // namespace
+
+std::string svgOf(std::span<const Plot> plots, const std::string& footer) {
+    const double wide = kWide * static_cast<double>(std::max<std::size_t>(plots.size(), 1));
+    const double high = kHigh + kLegend;
+    char box[64];
+    std::snprintf(box, sizeof box, " viewBox=\"0 0 %.0f %.0f\"", wide, high);
+    std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\"" + at("width", wide) +
+                      at("height", high) + box +
+                      " font-family=\"sans-serif\" font-size=\"11\" fill=\"#222\">\n";
+    svg += "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+    for (std::size_t i = 0; i < plots.size(); ++i)
+        svg += plotAt(plots[i], kWide * static_cast<double>(i));
+    if (!plots.empty()) svg += legendOf(plots.front().series, wide);
+    svg += textAt(8.0, high - 8.0, footer, "font-size=\"9\" fill=\"#666\"");
+    return svg + "</svg>\n";
+}
+
+}  // namespace pelage
