@@ -147,6 +147,12 @@ void writeFileAtomically(const std::string& path, std::span<const std::byte> byt
     syncFolder(folder, path);
 }
 
+void makeFolder(const std::string& path) {
+    std::error_code error;
+    std::filesystem::create_directories(path, error);
+    if (error) throw std::runtime_error(path + ": " + error.message());
+}
+
 bool hasExtension(const std::string& path, std::string_view extension) {
     const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
     const std::string name = std::filesystem::path(path).filename().string();

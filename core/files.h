@@ -15,6 +15,9 @@ namespace pelage {
 // is killed while it writes (on file systems that have files without names).
 void writeFileAtomically(const std::string& path, std::span<const std::byte> bytes);
 
+// With all folders above it, where it is not there yet. Throws std::runtime_error "path: why".
+void makeFolder(const std::string& path);
+
 // Whether the name ends in `extension` (".glb", ".fur.json"), in upper or lower case, and is more
 // than that.
 bool hasExtension(const std::string& path, std::string_view extension);

@@ -73,6 +73,19 @@ Image decodedImage(std::span<const std::byte> picture) {
     return linearOf(size, std::span<const stbi_us>(pixels.get(), 4 * pixelCount(size)));
 }
 
+// Whether the scans of a JPEG have no end, which the decoder takes for gray. Markers before the
+// first scan have a length; in it, FF D9 can be nothing but the end. ITU-T T.81, annex B.
+bool isCutJpeg(std::span<const std::byte> file) {
+    const auto at = [&](std::size_t i) { return std::to_integer<std::size_t>(file[i]); };
+    if (file.size() < 4 || at(0) != 0xff || at(1) != 0xd8 || at(2) != 0xff) return false;
+    std::size_t i = 2;
+    while (i + 4 <= file.size() && at(i) == 0xff && at(i + 1) != 0xda)
+        i += at(i + 1) == 0xff ? 1 : 2 + (at(i + 2) << 8 | at(i + 3));  // FF may fill
+    for (; i + 2 <= file.size(); ++i)
+        if (at(i) == 0xff && at(i + 1) == 0xd9) return false;
+    return true;
+}
+
 unsigned char byteOf(float share) {
     return static_cast<unsigned char>(
         std::lround(255.0f * std::fmin(std::fmax(share, 0.0f), 1.0f)));
@@ -131,6 +144,9 @@ Image readImage(const std::string& path) {
     constexpr std::size_t kMostBytes = std::size_t{1} << 30;
     constexpr int kLargestSide = 8192;
     const std::vector<std::byte> file = readFile(path, kMostBytes);
+    if (isCutJpeg(file))
+        throw std::runtime_error(path + ": ends after " + std::to_string(file.size()) +
+                                 " bytes, in the middle of the picture");
     Image image;
     if (decodedSize(file, kLargestSide).x > 0) image = decodedImage(file);
     if (image.pixels.empty())
@@ -138,15 +154,19 @@ Image readImage(const std::string& path) {
     return image;
 }
 
-void writeImage(const std::string& path, const Image& image) {
-    std::vector<unsigned char> bytes;
-    bytes.reserve(4 * image.pixels.size());
+Pixels displayPixels(const Image& image) {
+    Pixels pixels{image.size, {}};
+    pixels.rgba.reserve(4 * image.pixels.size());
     for (const vec4& pixel : image.pixels) {
         for (int i = 0; i < 3; ++i)
-            bytes.push_back(pixel.a > 0.0f ? byteOf(srgbFromLinear(pixel[i] / pixel.a)) : 0);
-        bytes.push_back(byteOf(pixel.a));
+            pixels.rgba.push_back(pixel.a > 0.0f ? byteOf(srgbFromLinear(pixel[i] / pixel.a)) : 0);
+        pixels.rgba.push_back(byteOf(pixel.a));
     }
-    writePng(path, image.size, bytes);
+    return pixels;
+}
+
+void writeImage(const std::string& path, const Image& image) {
+    writePng(path, image.size, displayPixels(image).rgba);
 }
 
 }  // namespace pelage

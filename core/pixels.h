@@ -26,6 +26,8 @@ Pixels decodePixels(std::span<const std::byte> picture);
 
 // The pixels as linear light over black.
 Image linearImage(const Pixels& pixels);
+// And back, rounded; light over 1 becomes 1, NaN 0. Where nothing is covered there is no color.
+Pixels displayPixels(const Image& image);
 
 std::vector<std::byte> encodePng(ivec2 size, int channels, std::span<const unsigned char> bytes);
 // RGBA8, without its alpha.
@@ -35,10 +37,11 @@ std::vector<std::byte> encodeJpeg(ivec2 size, std::span<const unsigned char> rgb
 void writePng(const std::string& path, ivec2 size, std::span<const unsigned char> rgba);
 
 // A PNG of 8 or 16 bits or a JPEG as linear light, sides up to 8192. Throws std::runtime_error
-// "a.png: is no PNG or JPEG picture that can be read".
+// "a.png: is no PNG or JPEG picture that can be read", "a.jpg: ends after 5120 bytes, in the middle
+// of the picture".
 Image readImage(const std::string& path);
 
-// As a PNG of 8 bits, rounded; light over 1 is written as 1, NaN as 0.
+// The displayPixels of the image as a PNG.
 void writeImage(const std::string& path, const Image& image);
 
 }  // namespace pelage

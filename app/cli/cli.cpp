@@ -68,6 +68,7 @@ int runCommandLine(int argc, char** argv) {
     addPreset(app, json);
     addPresets(app, json);
     addShapeError(app, json);
+    addShells(app, json);
     app.final_callback([&] {
         if (!app.get_subcommands().empty()) return;
         if (haveDisplay()) {

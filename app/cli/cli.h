@@ -26,6 +26,7 @@ void addAnimal(CLI::App& app, bool& json);
 void addPreset(CLI::App& app, bool& json);
 void addPresets(CLI::App& app, bool& json);
 void addShapeError(CLI::App& app, bool& json);
+void addShells(CLI::App& app, bool& json);
 void addJsonFlag(CLI::App& verb, bool& json);
 
 // For `pelage [FILE]` where there is no display: pictures of the animal and a groomed .glb in

@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <memory>
-#include <stdexcept>
 #include <thread>
 
 #include "app/cli/cli.h"
@@ -83,12 +81,6 @@ MeasureOptions optionsOf(const Document& document, const Options& options) {
 // What is being done, on a line of the terminal that the next one overwrites.
 void tellTerminal(const std::string& what) {
     if (isatty(STDERR_FILENO)) std::fprintf(stderr, "\r\033[K%s", what.c_str());
-}
-
-void makeFolder(const std::string& path) {
-    std::error_code error;
-    std::filesystem::create_directories(path, error);
-    if (error) throw std::runtime_error(path + ": " + error.message());
 }
 
 void write(const std::string& path, const std::string& text) {

@@ -8,7 +8,7 @@ trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 unset DISPLAY WAYLAND_DISPLAY
 export XDG_DATA_HOME=$work/data
-for tool in node identify xmllint; do
+for tool in node identify convert compare xmllint; do
     command -v $tool >/dev/null && continue
     echo "$tool is not installed (Debian: nodejs, imagemagick, libxml2-utils)"
     exit 1
@@ -78,7 +78,7 @@ OBJ
 good --version
 grep -qE '^pelage [0-9]+\.[0-9]+\.[0-9]+$' out.txt || fail "version: $(cat out.txt)"
 good --help
-for verb in info render export compare measure animal preset presets; do
+for verb in info render export compare measure animal preset presets shells; do
     good --help
     grep -q "  $verb " out.txt || fail "help does not name $verb"
     good "$verb" --help
@@ -348,6 +348,92 @@ bad 1 'never\.obj: ' measure never.obj -o never
 [ ! -e never ] || fail "a refused measure made its folder"
 bad 1 'tetra\.obj/x: Not a directory$' measure tetra.obj --size 16 --spp 2 -o tetra.obj/x
 bad 1 'tetra\.obj: Not a directory$' measure tetra.obj --size 16 --spp 2 -o tetra.obj
+
+# Shells from a photograph. 256 columns of as many greys: 2.55 of them are one percent.
+convert -size 1x256 gradient:white-black -rotate 90 -scale 256x256! -depth 8 PNG32:ramp.png
+json 'j.width === 256 && j.height === 256 && j.layers === 16' 'j.populations.length === 16' \
+    'j.populations.reduce((a, b) => a + b) === 65536' 'j.populations.every(n => n > 0)' \
+    'j.regions.length === 1 && j.regions[0].thresholds.length === 16' \
+    'j.regions[0].thresholds[15] === j.regions[0].low' 'j.regions[0].extinctionTimesThickness > 0' \
+    'j.textureBytes === 256 * 1024' 'j.textureBytesWithMips === 4 * 87381' \
+    'j.storedLayersBytes === 4096 * 1024' 'j.entropy > 3 && j.entropyAtMost === 4' \
+    'j.clamp.join() === "1,99" && j.warnings.length === 0' -- shells --photo ramp.png -o shells/p --json
+[ "$(ls shells/p)" = "histogram.svg"$'\n'"$(seq -f 'layer-%02g.png' 16)" ] || fail "shells: $(ls shells/p)"
+xmllint --noout shells/p/histogram.svg || fail "histogram.svg is not well-formed"
+[ "$(png_size shells/p/layer-01.png)" = 256x256 ] || fail "layer-01.png"
+convert shells/p/layer-*.png -background none -flatten all.png
+[ "$(compare -metric AE ramp.png all.png null: 2>&1)" = 0 ] || fail "the layers are not the photograph"
+good shells --photo ramp.png -o shells/p
+grep -q '^texture 256 KiB, with its mips 341 KiB; 16 stored layers would take 4096 KiB$' out.txt ||
+    fail "shells: $(cat out.txt)"
+grep -q '^wrote 17 files to shells/p$' out.txt || fail "shells: $(tail -1 out.txt)"
+json 'Math.max(...j.populations) - Math.min(...j.populations) <= 256' 'j.uniform' \
+    -- shells --photo ramp.png --uniform --layers 4 -o shells/u --json
+json 'j.cumulative' -- shells --photo ramp.png --cumulative --layers 3 --clamp 0,100 -o shells/c --json
+[ "$(compare -metric AE ramp.png shells/c/layer-03.png null: 2>&1)" = 0 ] || fail "shells --cumulative"
+json 'j.populations.join() === "65536"' 'j.entropy === 0' -- shells --photo ramp.png --layers 1 -o shells/1 --json
+json 'j.populations.length === 256' 'j.warnings.length === 1' -- \
+    shells --photo ramp.png --layers 256 -o shells/256 --json
+[ -s shells/256/layer-256.png ] && [ -s shells/256/layer-001.png ] || fail "shells --layers 256"
+convert \( ramp.png -colorspace gray \) \( ramp.png -fill orange -colorize 60 \) +append two.png
+json 'j.regions.length === 2' 'j.regions[0].pixels + j.regions[1].pixels === 131072' \
+    -- shells --photo two.png --two-colors -o shells/2 --json
+
+# Hard photographs.
+convert -size 9x7 xc:black PNG24:black.png
+convert -size 9x7 xc:white PNG24:white.png
+convert -size 9x7 xc:'#604020' PNG24:brown.png
+convert -size 1x1 xc:gray PNG24:dot.png
+convert -size 9x7 xc:none PNG32:none.png
+convert -size 1x256 gradient:white-black -colorspace gray -depth 16 PNG48:deep.png
+convert -size 1x256 gradient:white-black -colorspace gray -type grayscale -depth 8 grey.png
+convert ramp.png \( -size 256x256 gradient:white-black \) -alpha off -compose CopyOpacity -composite alpha.png
+convert ramp.png -background white -flatten -quality 90 ramp.jpg
+for name in black white brown dot; do
+    json 'j.populations[0] === j.width * j.height' 'j.entropy === 0' 'j.warnings.length === 1' \
+        'j.regions[0].extinctionTimesThickness === 0' -- shells --photo $name.png -o shells/$name --json
+done
+for name in deep.png grey.png alpha.png ramp.jpg; do
+    json 'j.entropy > 3' -- shells --photo $name -o shells/hard --json
+done
+json 'j.populations.reduce((a, b) => a + b) < 65536' -- shells --photo alpha.png -o shells/hard --json
+head -c 200 ramp.png >cut.png
+head -c 900 ramp.jpg >cut.jpg
+bad 1 'cut\.png: is no PNG or JPEG picture' shells --photo cut.png -o never
+bad 1 'cut\.jpg: ends after 900 bytes, in the middle of the picture' shells --photo cut.jpg -o never
+bad 1 'none\.png: all of 9x7 pixels are transparent' shells --photo none.png -o never
+bad 1 'no\.png: ' shells --photo no.png -o never
+bad 2 'shells .*--layers: .*0' shells --photo ramp.png --layers 0 -o never
+bad 2 'shells .*--layers: .*257' shells --photo ramp.png --layers 257 -o never
+bad 2 'shells --clamp: 60 is not below 40' shells --photo ramp.png --clamp 60,40 -o never
+bad 2 'shells .*--clamp' shells --photo ramp.png --clamp 5 -o never
+bad 2 'shells .*--clamp: .*101' shells --photo ramp.png --clamp 5,101 -o never
+bad 2 'shells .*--uniform requires --photo' shells --noise --uniform -o never
+bad 2 'shells .*--output is required' shells --noise
+bad 2 'shells .*' shells -o never
+bad 2 'shells .*' shells --noise --photo ramp.png -o never
+[ ! -e never ] || fail "refused shells made their folder"
+bad 1 'ramp\.png: Not a directory$' shells --noise -o ramp.png
+
+# Shells from noise, hairs and a picture.
+json 'j.width === 256' 'j.layers.length === 16' 'j.textureBytes === 256 * 1024' \
+    'Math.abs(j.layers[15].coverage - 0.5 * (31 / 32) ** 2) < 1e-4' \
+    'j.layers.every((l, i) => i === 0 || l.coverage > j.layers[i - 1].coverage)' \
+    -- shells --noise -o shells/n --json
+[ "$(ls shells/n)" = $'heights.png\nids.png\n'"$(seq -f 'layer-%02g.png' 16)" ] || fail "shells: $(ls shells/n)"
+for mask in 1 3 5 7 9; do
+    good shells --noise --mask $mask --box --side 64 --layers 2 --taper 0.5 --coverage 0.8 -o shells/m
+done
+bad 2 'shells .*--mask' shells --noise --mask 4 -o never
+bad 2 'shells .*--side' shells --noise --side 8193 -o never
+json 'j.width === 1 && j.height === 1' -- shells --noise --side 1 -o shells/s --json
+json 'Math.abs(j.layers[0].coverage - 3.14159 * 64 * 0.02 ** 2 * 0.25) < 0.001' \
+    -- shells --hairs 64 --radius 0.02 --layers 1 --side 512 -o shells/h --json
+json 'Math.abs(j.layers[0].coverage - 0.5) < 0.003' \
+    -- shells --image ramp.png --raw --layers 1 -o shells/r --json
+json 'Math.abs(j.layers[0].coverage - 0.9 * 0.25) < 1e-4' \
+    -- shells --image ramp.jpg --coverage 0.9 --layers 1 -o shells/i --json
+bad 1 'cut\.png: ' shells --image cut.png -o never
 
 # Wrong use of the program itself.
 bad 2 '.*--nonsense' --nonsense

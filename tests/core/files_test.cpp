@@ -118,6 +118,16 @@ TEST(Files, AFailedWriteLeavesNothingBehind) {
                          "a.bin: cannot write beside it: No such file or directory"));
 }
 
+TEST(Files, AFolderIsMadeWithAllAboveIt) {
+    const TempFolder folder;
+    makeFolder(folder.path("a/b/c"));
+    makeFolder(folder.path("a/b/c"));
+    EXPECT_TRUE(std::filesystem::is_directory(folder.path("a/b/c")));
+    const std::string file = folder.write("file", "x");
+    EXPECT_EQ(refusal([&] { makeFolder(file); }), file + ": Not a directory");
+    EXPECT_EQ(refusal([&] { makeFolder(file + "/d"); }), file + "/d: Not a directory");
+}
+
 TEST(Files, ExtensionsAreComparedWithoutCase) {
     for (const char* name : {"a.glb", "some/where.d/a.b.GlB", "../.a.GLB"})
         EXPECT_TRUE(hasExtension(name, ".glb")) << name;

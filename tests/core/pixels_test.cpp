@@ -6,6 +6,7 @@
 #include "core/files.h"
 #include "core/heat_map.h"
 #include "core/srgb.h"
+#include "core/strand.h"
 #include "gtest/gtest.h"
 #include "reading.h"
 
@@ -117,6 +118,40 @@ TEST(Pixels, WhatIsNoPictureIsRefusedInOneLine) {
     EXPECT_EQ(decodedSize(bytesOf(huge), 1 << 20), ivec2(0)) << "larger than its bytes can tell";
     EXPECT_EQ(decodedSize(bytesOf(k16Bits), 1), ivec2(0)) << "over the largest side";
     EXPECT_TRUE(decodePixels(bytesOf("hello")).rgba.empty());
+}
+
+TEST(Pixels, WhatIsDisplayedIsReadBack) {
+    Pixels pixels{{256, 2}, ramps()};
+    const Pixels back = displayPixels(linearImage(pixels));
+    for (std::size_t c = 0; c < 3; ++c) pixels.rgba[4 * 256 + c] = 0;  // nothing has no color
+    EXPECT_EQ(back.size, pixels.size);
+    EXPECT_EQ(back.rgba, pixels.rgba);
+}
+
+TEST(Pixels, APictureThatEndsEarlyIsRefusedWithItsBytes) {
+    const TempFolder folder;
+    std::vector<unsigned char> noise;
+    for (uint i = 0; i < 64 * 64 * 4; ++i) noise.push_back(static_cast<unsigned char>(pcg(i)));
+    const std::vector<std::byte> jpeg = encodeJpeg({64, 64}, noise);
+    const auto part = [&](std::size_t bytes) {
+        return folder.write("a.jpg", std::span(jpeg).first(bytes));
+    };
+    EXPECT_EQ(readImage(part(jpeg.size())).size, ivec2(64, 64));
+    for (const std::size_t bytes : {jpeg.size() - 1, jpeg.size() / 2, std::size_t{300}})
+        EXPECT_EQ(refusal([&] { readImage(part(bytes)); }),
+                  folder.path("a.jpg") + ": ends after " + std::to_string(bytes) +
+                      " bytes, in the middle of the picture");
+    // What a camera adds behind the picture, or before it, is no harm, nor is the end of a
+    // thumbnail the end of the picture.
+    std::vector<std::byte> more = jpeg;
+    more.insert(more.end(), 100, std::byte{0});
+    EXPECT_EQ(readImage(folder.write("a.jpg", more)).size, ivec2(64, 64));
+    const std::vector<std::byte> thumbnail = bytesOf("\xff\xe1\x00\x06\xff\xd8\xff\xd9"sv);
+    more = jpeg;
+    more.insert(more.begin() + 2, thumbnail.begin(), thumbnail.end());
+    EXPECT_EQ(readImage(folder.write("a.jpg", more)).size, ivec2(64, 64));
+    more.resize(more.size() - 2);
+    EXPECT_NE(refusal([&] { readImage(folder.write("a.jpg", more)); }), "(not refused)");
 }
 
 TEST(HeatMap, GoesFromBlackToLightYellow) {
