@@ -65,8 +65,11 @@ std::string histogramSvg(const PhotoLayers& layers, const std::string& title) {
     svg += textAt(kLeft, below, "0", "");
     svg += textAt(kLeft + kWide, below, "255", "text-anchor=\"end\"");
     svg += textAt(kLeft + 0.5 * kWide, below, "luminance, as displayed", "text-anchor=\"middle\"");
-    svg += textAt(kLeft, below + 17.0, "Lines: from where on a layer holds what is as bright.",
-                  "fill=\"#666\"");
+    svg += textAt(
+        kLeft, below + 17.0,
+        std::string("Lines: from where on a layer holds what is as bright") +
+            (layers.regions.size() > 1 ? "; above of the larger color, below of the other." : "."),
+        "fill=\"#666\"");
     return svg + "</svg>\n";
 }
 

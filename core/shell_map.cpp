@@ -1,6 +1,7 @@
 // shell_map.cpp -- discs, noise and pictures as heights of hair, and the levels of both.
 #include "shell_map.h"
 
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -13,7 +14,6 @@
 #include <numeric>
 
 #include "strand.h"
-#include "stratified.h"
 
 namespace pelage {
 namespace {
@@ -198,34 +198,98 @@ Plane summed(const Plane& plane, std::span<const float> mask, ivec2 step) {
     return result;
 }
 
-// For each texel the root that is nearest, if it is within reach.
-struct Nearest {
-    std::vector<float> distances;  // texels; infinite where no root is within reach
-    std::vector<uint> hairs;
+// The way between two places of a tile that repeats, by the shortest way.
+float apart(vec2 a, vec2 b) {
+    const vec2 way = a - b;
+    return glm::length(way - glm::round(way));
+}
+
+// Roots in square cells, in the end about one in each, to find those that are near a place.
+class RootGrid {
+public:
+    struct Found {
+        RootTexel hairs;
+        float distance = std::numeric_limits<float>::infinity(), nextDistance = distance;
+    };
+
+    explicit RootGrid(uint count)
+        : side_(std::max(1, static_cast<int>(std::sqrt(static_cast<double>(count))))),
+          cells_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_)) {}
+
+    void add(vec2 root) {
+        cells_[placeOf(ivec2(side_), cellOf(root.x), cellOf(root.y))].push_back(
+            static_cast<std::uint16_t>(roots_.size()));
+        roots_.push_back(root);
+    }
+    const std::vector<vec2>& roots() const { return roots_; }
+
+    Found nearestTwo(vec2 place) const {
+        const float cell = 1.0f / static_cast<float>(side_);
+        Found found;
+        // Rings of cells around that of the place, until they are farther away than the second.
+        for (int ring = 0; ring <= side_ / 2 + 1; ++ring) {
+            if (found.nextDistance <= static_cast<float>(ring - 1) * cell) break;
+            for (int y = -ring; y <= ring; ++y) {
+                const int step = std::abs(y) == ring ? 1 : std::max(2 * ring, 1);
+                for (int x = -ring; x <= ring; x += step)
+                    look(place, cellOf(place.x) + x, cellOf(place.y) + y, found);
+            }
+        }
+        return found;
+    }
+
+private:
+    int cellOf(float x) const {
+        return std::min(static_cast<int>(x * static_cast<float>(side_)), side_ - 1);
+    }
+
+    // A cell may be looked at twice, over the edges of a small tile.
+    void look(vec2 place, int x, int y, Found& found) const {
+        const std::size_t cell = placeOf(ivec2(side_), wrapped(x, side_), wrapped(y, side_));
+        for (const std::uint16_t hair : cells_[cell]) {
+            const float distance = apart(place, roots_[hair]);
+            if (distance < found.distance) {
+                const bool first = std::isinf(found.distance);
+                found.hairs = {hair, first ? hair : found.hairs.nearest};
+                found.nextDistance = found.distance;
+                found.distance = distance;
+            } else if (hair != found.hairs.nearest && distance < found.nextDistance) {
+                found.hairs.next = hair;
+                found.nextDistance = distance;
+            }
+        }
+    }
+
+    int side_;
+    std::vector<std::vector<std::uint16_t>> cells_;
+    std::vector<vec2> roots_;
 };
 
-Nearest nearestRoots(const HairPattern& pattern) {
-    const ivec2 size(pattern.side);
-    const float side = static_cast<float>(pattern.side), radius = pattern.radius * side;
-    Nearest nearest{std::vector<float>(pixelCount(size), std::numeric_limits<float>::infinity()),
-                    std::vector<uint>(pixelCount(size))};
-    for (uint hair = 0; hair < pattern.hairs; ++hair) {
-        const vec2 root = side * stratified(hair, pattern.seed) - 0.5f;  // middles are whole
-        for (int y = static_cast<int>(std::ceil(root.y - radius));
-             static_cast<float>(y) <= root.y + radius; ++y)
-            for (int x = static_cast<int>(std::ceil(root.x - radius));
-                 static_cast<float>(x) <= root.x + radius; ++x) {
-                const float distance = glm::distance(root, vec2(x, y));
-                const std::size_t place =
-                    placeOf(size, wrapped(x, pattern.side), wrapped(y, pattern.side));
-                if (distance <= radius && distance < nearest.distances[place]) {
-                    nearest.distances[place] = distance;
-                    nearest.hairs[place] = hair;
-                }
+// Each root is that of a few candidates which is farthest from those before it (Mitchell,
+// "Spectrally Optimal Sampling for Distribution Ray Tracing", 1991), and so evenly spread from
+// every side. The rows of a lattice or of Sobol's sequence would hide nothing of each other from
+// two.
+RootGrid evenRoots(uint count, uint seed) {
+    constexpr uint kCandidates = 4;
+    RootGrid grid(count);
+    for (uint hair = 0; hair < count; ++hair) {
+        vec2 farthest(0.0f);
+        float most = -1.0f;
+        for (uint i = 0; i < kCandidates; ++i) {
+            const uint id = pcg((kCandidates * hair + i) ^ pcg(seed));
+            const vec2 place(rand01(id), rand01(id + 1));
+            const float distance = grid.nearestTwo(place).distance;
+            if (distance > most) {
+                farthest = place;
+                most = distance;
             }
+        }
+        grid.add(farthest);
     }
-    return nearest;
+    return grid;
 }
+
+vec2 middleOf(int x, int y, int side) { return (vec2(x, y) + 0.5f) / static_cast<float>(side); }
 
 }  // namespace
 
@@ -243,19 +307,35 @@ std::size_t texelsWithLevels(ivec2 size) {
     return sum;
 }
 
-ShellMap hairMap(const HairPattern& pattern) {
+RootMap rootMap(const HairPattern& pattern) {
     assert(pattern.side >= 1 && pattern.side <= kLargestSide);
     assert(pattern.hairs >= 1 && pattern.hairs <= 65536);
+    const RootGrid grid = evenRoots(pattern.hairs, pattern.seed);
+    RootMap map{ivec2(pattern.side), {}, grid.roots()};
+    map.texels.resize(pixelCount(map.size));
+    tbb::parallel_for(0, pattern.side, [&](int y) {
+        for (int x = 0; x < pattern.side; ++x)
+            map.texels[placeOf(map.size, x, y)] =
+                grid.nearestTwo(middleOf(x, y, pattern.side)).hairs;
+    });
+    return map;
+}
+
+ShellMap hairMap(const HairPattern& pattern) {
     assert(pattern.radius > 0.0f && pattern.radius <= 0.5f);
-    const Nearest nearest = nearestRoots(pattern);
-    const float radius = pattern.radius * static_cast<float>(pattern.side);
-    ShellLevel tile = bareLevel(ivec2(pattern.side));
-    for (std::size_t i = 0; i < tile.texels.size(); ++i) {
-        if (nearest.distances[i] > radius) continue;
-        const std::uint64_t hair = nearest.hairs[i];
-        tile.texels[i] = {heightCode(heightAt(nearest.distances[i] / radius, pattern.taper)),
-                          static_cast<std::uint16_t>((2 * hair + 1) * 32768 / pattern.hairs)};
-    }
+    const RootMap roots = rootMap(pattern);
+    ShellLevel tile = bareLevel(roots.size);
+    for (int y = 0; y < pattern.side; ++y)
+        for (int x = 0; x < pattern.side; ++x) {
+            const std::size_t place = placeOf(roots.size, x, y);
+            const std::uint64_t hair = roots.texels[place].nearest;
+            const float width =
+                apart(middleOf(x, y, pattern.side), roots.roots[hair]) / pattern.radius;
+            if (width <= 1.0f)
+                tile.texels[place] = {
+                    heightCode(heightAt(width, pattern.taper)),
+                    static_cast<std::uint16_t>((2 * hair + 1) * 32768 / pattern.hairs)};
+        }
     return withLevels(std::move(tile), pattern.seed);
 }
 

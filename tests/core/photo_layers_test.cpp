@@ -308,7 +308,9 @@ TEST(PhotoRegions, TransparentPixelsAreOfNoColor) {
         if (i % 64 < 32) image.pixels[static_cast<std::size_t>(i)] = vec4(0);
     const std::vector<unsigned char> regions = colorRegions(image);
     for (int i = 0; i < 64 * 64; ++i) {
-        if (i % 64 < 32) EXPECT_EQ(regions[static_cast<std::size_t>(i)], 0);
+        if (i % 64 < 32) {
+            EXPECT_EQ(regions[static_cast<std::size_t>(i)], 0);
+        }
     }
 }
 

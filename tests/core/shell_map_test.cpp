@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "core/strand.h"
-#include "core/stratified.h"
 
 namespace pelage {
 namespace {
@@ -51,6 +50,9 @@ void expectCoverageKept(const ShellMap& map, const char* what) {
                 << what << " level " << i << " height " << t;
     }
 }
+
+// The shortest way from one place of a tile to another, over the edge too.
+vec2 wayTo(vec2 to, vec2 from) { return to - from - glm::round(to - from); }
 
 TEST(ShellMap, ALayerIsWhereHairReaches) {
     EXPECT_FALSE(reaches({0, 7}, 1e-9f)) << "bare";
@@ -336,47 +338,48 @@ TEST(ShellMap, OneHairIsACone) {
 
 TEST(ShellMap, HairsApartCoverTheSumOfTheirDiscs) {
     // As wide as the two nearest roots allow, over the edge too.
-    constexpr uint kHairs = 100;
-    float nearest = 1.0f;
-    for (uint i = 0; i < kHairs; ++i)
-        for (uint j = 0; j < i; ++j) {
-            const vec2 d = stratified(i, 1) - stratified(j, 1);
-            nearest = std::min(nearest, glm::length(d - glm::round(d)));
-        }
-    const float radius = 0.499f * nearest;
-    const ShellMap map = hairMap({.side = 2048, .hairs = kHairs, .radius = radius});
+    HairPattern pattern{.side = 2048, .hairs = 40};
+    const std::vector<vec2> roots = rootMap({.side = 1, .hairs = pattern.hairs}).roots;
+    pattern.radius = 0.5f;
+    for (std::size_t i = 0; i < roots.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            pattern.radius =
+                std::min(pattern.radius, 0.499f * glm::length(wayTo(roots[i], roots[j])));
+    const ShellMap map = hairMap(pattern);
     for (const float t : {0.001f, 0.2f, 0.4f, 0.6f}) {
-        const double r = static_cast<double>(radius * (1.0f - t));
-        const double area = kHairs * std::numbers::pi * r * r;
+        const double r = static_cast<double>(pattern.radius * (1.0f - t));
+        const double area = 40.0 * std::numbers::pi * r * r;
         EXPECT_NEAR(coverage(map.levels[0], t) / area, 1.0, 0.01) << t;
     }
 }
 
-TEST(ShellMap, APlaceOfTwoHairsBelongsToTheNearerRoot) {
+TEST(ShellMap, APlaceOfTwoHairsBelongsToTheNearestRoot) {
+    // Roots so near that no images of them in the next tiles come in between.
+    HairPattern pattern{.seed = 0, .side = 512, .hairs = 2, .taper = 0.0f};
+    const auto rootsOf = [](const HairPattern& p) {
+        return rootMap({.seed = p.seed, .side = 1, .hairs = 2}).roots;
+    };
+    const auto apartIn = [](const std::vector<vec2>& roots) {
+        return static_cast<double>(glm::length(wayTo(roots[1], roots[0])));
+    };
+    while (apartIn(rootsOf(pattern)) > 0.45) ++pattern.seed;
+    const std::vector<vec2> roots = rootsOf(pattern);
+    const double apart = apartIn(roots), r = 0.55 * apart;
+    pattern.radius = static_cast<float>(r);
+    const ShellLevel tile = hairMap(pattern).levels[0];
     // The union of two discs is their sum less the lens between them.
-    const vec2 a = stratified(0, 9), b = stratified(1, 9);
-    const vec2 d = a - b - glm::round(a - b);
-    const double apart = static_cast<double>(glm::length(d)), r = 0.7 * apart;
-    ASSERT_LT(r, 0.5);
-    const double half = std::acos(apart / (2.0 * r));
-    const double lens = 2.0 * r * r * half - 0.5 * apart * std::sqrt(4.0 * r * r - apart * apart);
-    const HairPattern pattern{
-        .seed = 9, .side = 512, .hairs = 2, .radius = static_cast<float>(r), .taper = 0.0f};
-    const ShellLevel& tile = hairMap(pattern).levels[0];
-    // Other images of the discs in the neighboring tiles overlap too where they are that wide.
-    double expected = 2.0 * std::numbers::pi * r * r - lens;
-    const double other = std::min(
-        {1.0 - std::abs(static_cast<double>(d.x)), 1.0 - std::abs(static_cast<double>(d.y)), 1.0});
-    if (other > 2.0 * r) EXPECT_NEAR(coverage(tile, 1.0f), expected, 0.002);
-    for (int y = 0; y < 512; y += 7)
-        for (int x = 0; x < 512; x += 7) {
-            const ShellTexel texel = tile.texels[static_cast<std::size_t>(512 * y + x)];
-            const vec2 here = (vec2(x, y) + 0.5f) / 512.0f;
-            const vec2 toA = here - a - glm::round(here - a), toB = here - b - glm::round(here - b);
-            const float da = glm::length(toA), db = glm::length(toB);
-            if (std::abs(da - db) < 0.002f || texel.height == 0) continue;
-            EXPECT_EQ(texel.id, da < db ? 16384 : 49152) << x << " " << y;
+    const double lens = 2.0 * r * r * std::acos(apart / (2.0 * r)) -
+                        0.5 * apart * std::sqrt(4.0 * r * r - apart * apart);
+    EXPECT_NEAR(coverage(tile, 1.0f), 2.0 * std::numbers::pi * r * r - lens, 0.0015);
+    for (int i = 0; i < 512 * 512; i += 37) {
+        const ShellTexel texel = tile.texels[static_cast<std::size_t>(i)];
+        const vec2 here = (vec2(i % 512, i / 512) + 0.5f) / 512.0f;
+        const float first = glm::length(wayTo(roots[0], here)),
+                    second = glm::length(wayTo(roots[1], here));
+        if (texel.height > 0 && std::abs(first - second) > 0.001f) {
+            EXPECT_EQ(texel.id, first < second ? 16384 : 49152) << i;
         }
+    }
 }
 
 TEST(ShellMap, ManyHairsCoverAsDiscsOfChanceDo) {
@@ -401,18 +404,130 @@ TEST(ShellMap, AShareOfTheIdsIsThatShareOfTheHairsEvenlySpread) {
     for (const double share : {0.0625, 0.25, 0.5})
         EXPECT_EQ(std::ranges::count_if(ids, [&](int id) { return id < 65536.0 * share; }),
                   static_cast<int>(share * kHairs));
-    // A quarter of the hairs, in 64 cells: 4 in each on average. Chance would have a variance of 4.
-    std::vector<double> cells(64);
-    for (uint i = 0; i < kHairs / 4; ++i) {
-        const vec2 root = stratified(i, 1);
-        const auto x = static_cast<std::size_t>(root.x * 1024.0f),
-                   y = static_cast<std::size_t>(root.y * 1024.0f);
-        EXPECT_LT(map.levels[0].texels[y * 1024 + x].id, 16384) << i;
-        ++cells[y / 128 * 8 + x / 128];
+    // In 64 cells, as a share of the variance that chance would have: of the first quarter of the
+    // hairs and of all.
+    const std::vector<vec2> roots = rootMap({.side = 1, .hairs = kHairs}).roots;
+    for (const uint hairs : {kHairs / 4, kHairs}) {
+        std::vector<double> cells(64);
+        const double mean = hairs / 64.0;
+        for (uint i = 0; i < hairs; ++i) {
+            const auto x = static_cast<std::size_t>(roots[i].x * 1024.0f),
+                       y = static_cast<std::size_t>(roots[i].y * 1024.0f);
+            EXPECT_EQ(map.levels[0].texels[y * 1024 + x].id, 64 * i + 32);
+            ++cells[y / 128 * 8 + x / 128];
+        }
+        double variance = 0.0;
+        for (const double count : cells) variance += (count - mean) * (count - mean) / 64.0;
+        EXPECT_LT(variance / mean, 0.5) << hairs;
     }
-    double variance = 0.0;
-    for (const double count : cells) variance += (count - 4.0) * (count - 4.0) / 64.0;
-    EXPECT_LT(variance, 0.5);
+}
+
+TEST(RootMap, TheTwoNearestRootsAreThoseOfAll) {
+    for (const uint hairs : {1u, 2u, 3u, 5u, 100u, 1000u})
+        for (const int side : {1, 7, 32}) {
+            const RootMap map = rootMap({.seed = 4, .side = side, .hairs = hairs});
+            ASSERT_EQ(map.roots.size(), hairs);
+            for (int i = 0; i < side * side; ++i) {
+                const vec2 here = (vec2(i % side, i / side) + 0.5f) / static_cast<float>(side);
+                std::vector<std::pair<float, uint>> all;
+                for (uint hair = 0; hair < hairs; ++hair) {
+                    const vec2 way = map.roots[hair] - here;
+                    all.emplace_back(glm::length(way - glm::round(way)), hair);
+                }
+                std::ranges::sort(all);
+                const RootTexel texel = map.texels[static_cast<std::size_t>(i)];
+                EXPECT_EQ(texel.nearest, all[0].second) << hairs << " in " << side << ": " << i;
+                EXPECT_EQ(texel.next, all[hairs > 1 ? 1 : 0].second) << hairs << " in " << side;
+            }
+        }
+}
+
+// A ray that goes down through hairs that taper to points: from the height 1 over `from` it travels
+// `way` in x down to the skin. Whether it meets the hair at `root`, or an image of it near `from`.
+struct Ray {
+    glm::dvec2 from;
+    double way;
+
+    bool meets(glm::dvec2 root, double radius) const {
+        // (from + s way - root)^2 <= (radius s)^2 for some s in [0,1].
+        const glm::dvec2 to = from - root;
+        const double a = way * way - radius * radius, b = to.x * way, c = glm::dot(to, to);
+        if (b * b < a * c) return false;
+        const double half = std::sqrt(b * b - a * c);
+        return half >= b && -b - half <= a;
+    }
+};
+
+// Hairs of 2 pixels and 64 high in a tile of 128 pixels: an optical depth of 1.36 at 45 degrees.
+constexpr double kTile = 128.0, kRadius = 1.0, kHigh = 64.0;
+constexpr uint kHairs = 348;
+
+bool meetsNear(const Ray& ray, glm::dvec2 root, glm::dvec2 near) {
+    return ray.meets(root + glm::round((near - root) / kTile) * kTile, kRadius);
+}
+
+bool meetsAny(const Ray& ray, const std::vector<vec2>& roots) {
+    for (const vec2 root : roots)  // images may repeat along the way
+        for (double x = 0.0; x < ray.way + kTile; x += 0.5 * kTile)
+            if (meetsNear(ray, kTile * glm::dvec2(root), ray.from + glm::dvec2(x, 0.0)))
+                return true;
+    return false;
+}
+
+// The same of the hairs that are nearest to the places on the way, one look for each texel.
+bool meetsOnTheWay(const Ray& ray, const RootMap& map) {
+    const int looks = static_cast<int>(std::ceil(ray.way / kTile * map.size.x));
+    for (int look = 0; look < looks; ++look) {
+        const glm::dvec2 near = ray.from + glm::dvec2((look + 0.5) / looks * ray.way, 0.0);
+        const auto texel =
+            glm::uvec2((near / kTile - glm::floor(near / kTile)) * static_cast<double>(map.size.x));
+        const RootTexel hairs = map.texels[texel.y * static_cast<uint>(map.size.x) + texel.x];
+        for (const std::uint16_t hair : {hairs.nearest, hairs.next})
+            if (meetsNear(ray, kTile * glm::dvec2(map.roots[hair]), near)) return true;
+    }
+    return false;
+}
+
+TEST(RootMap, AMarchOverTheNearestRootsMeetsTheHairsThatThereAre) {
+    // Two texels across a hair.
+    const RootMap map = rootMap({.seed = 2, .side = 128, .hairs = kHairs});
+    constexpr int kPixels = 32;
+    for (const double degrees : {10.0, 45.0, 70.0}) {
+        const double angle = degrees * std::numbers::pi / 180.0;
+        double bias = 0.0, square = 0.0;
+        for (int pixel = 0; pixel < kPixels * kPixels; ++pixel) {
+            double error = 0.0;
+            for (int sample = 0; sample < 16; ++sample) {
+                const glm::dvec2 at(pixel % kPixels + (sample % 4 + 0.5) / 4.0,
+                                    pixel / kPixels + (sample / 4 + 0.5) / 4.0);
+                const Ray ray{{at.x / std::cos(angle), at.y}, kHigh * std::tan(angle)};
+                error += (meetsOnTheWay(ray, map) - meetsAny(ray, map.roots)) / 16.0;
+            }
+            bias += error / (kPixels * kPixels);
+            square += error * error / (kPixels * kPixels);
+        }
+        EXPECT_LE(std::abs(bias), 0.001) << degrees;
+        EXPECT_LE(std::sqrt(square), 0.01) << degrees;
+    }
+}
+
+TEST(RootMap, FromEverySideHairsHideEachOtherAboutAsThoseOfChanceDo) {
+    const double chance = 1.0 - std::exp(-1.36);
+    for (const bool turned : {false, true}) {
+        int hits = 0;
+        for (uint seed = 0; seed < 8; ++seed) {
+            std::vector<vec2> roots = rootMap({.seed = seed, .side = 1, .hairs = kHairs}).roots;
+            if (turned)
+                for (vec2& root : roots) root = {root.y, root.x};
+            for (uint i = 0; i < 1000; ++i) {
+                const uint id = pcg(i ^ pcg(seed + 1000));  // not the draws of the roots
+                const glm::dvec2 from(rand01(id), rand01(id + 1));
+                hits += meetsAny({kTile * from, kHigh}, roots);
+            }
+        }
+        EXPECT_GT(hits / 8000.0, chance - 0.02) << turned;
+        EXPECT_LT(hits / 8000.0, chance + 0.07) << turned;  // Sobol's sequence: 0.16
+    }
 }
 
 TEST(ShellMap, TilesRepeatWithoutASeam) {
