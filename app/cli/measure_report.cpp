@@ -27,15 +27,6 @@ std::vector<bool> frontBy(const MeasuredEye& eye, Figure figure) {
     return front;
 }
 
-OrderedJson errorsJson(const ImageErrors& errors, const TracedPicture& reference) {
-    OrderedJson result = jsonOf(errors);
-    const double share = noiseShare(errors.rmse, reference);
-    result["noise"] = reference.noise.color;
-    result["noiseShare"] = share;
-    result["trusted"] = share <= kMostNoise;
-    return result;
-}
-
 OrderedJson rowJson(const MeasuredEye& eye, const Measured& row, bool front) {
     const Technique& technique = *row.technique;
     return {{"view", eye.name},
@@ -102,6 +93,15 @@ Plot plotOf(const MeasuredEye& eye, Figure figure, const std::string& error) {
 }
 
 }  // namespace
+
+OrderedJson errorsJson(const ImageErrors& errors, const TracedPicture& reference) {
+    OrderedJson result = jsonOf(errors);
+    const double share = noiseShare(errors.rmse, reference);
+    result["noise"] = reference.noise.color;
+    result["noiseShare"] = share;
+    result["trusted"] = share <= kMostNoise;
+    return result;
+}
 
 std::vector<bool> onFront(const MeasuredEye& eye) { return frontBy(eye, flipOfDrawing); }
 

@@ -3,34 +3,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
+#include "app/measure/live_picture.h"
 #include "app/render/frames.h"
 #include "app/render/reference_view.h"
-#include "core/pixels.h"
 
 namespace pelage {
 namespace {
-
-struct Drawn {
-    Image image;
-    FrameStats stats;
-};
-
-// The picture over black, with its coverage: what a white background does not lighten.
-Drawn drawn(Renderer& renderer, const Document& document, View view) {
-    view.background = vec3(1.0f);
-    drawFinished(renderer, document, view);
-    const Image white = linearImage({view.size, renderer.pixels()});
-    view.background = vec3(0.0f);
-    const FrameStats stats = drawFinished(renderer, document, view);
-    Image image = linearImage({view.size, renderer.pixels()});
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-        const vec3 through = vec3(white.pixels[i]) - vec3(image.pixels[i]);
-        image.pixels[i].a =
-            std::clamp(1.0f - (through.r + through.g + through.b) / 3.0f, 0.0f, 1.0f);
-    }
-    return {std::move(image), stats};
-}
 
 TracedPicture traced(std::shared_ptr<const ReferenceScene> scene, ReferenceView view,
                      Shadows shadows, const MeasureOptions& options) {
@@ -38,29 +18,34 @@ TracedPicture traced(std::shared_ptr<const ReferenceScene> scene, ReferenceView 
     view.seed = options.seed;
     ReferencePicture picture(std::move(scene), view);
     picture.add(options.spp);
-    TracedPicture result{{view.size, picture.pixels()}, picture.noise(vec3(0.0f))};
-    for (vec4& pixel : result.image.pixels) pixel = glm::clamp(pixel, 0.0f, 1.0f);
-    return result;
+    return tracedPicture(picture, view.size);
 }
 
 Measured measured(Renderer& renderer, Document document, View view, const Technique& technique,
                   std::size_t value, int repeat) {
     technique.turn(value, document.fur, view);
     Measured row{.technique = &technique, .value = value};
-    const std::vector<double> times = timeFrames(renderer, document, view, repeat);
-    row.msFrame = median(times);
-    row.msLeast = *std::ranges::min_element(times);
-    row.msGreatest = *std::ranges::max_element(times);
-    Drawn picture = drawn(renderer, document, view);
-    row.image = std::move(picture.image);
-    row.samples = picture.stats.samples;
-    row.hairsDrawn = picture.stats.hairsDrawn;
-    row.segmentsDrawn = picture.stats.segmentsDrawn;
+    LiveDrawing drawing(view, repeat);
+    std::optional<LivePicture> picture;
+    while (!picture) picture = drawing.step(renderer, document);
+    row.msFrame = median(picture->times);
+    row.msLeast = *std::ranges::min_element(picture->times);
+    row.msGreatest = *std::ranges::max_element(picture->times);
+    row.image = std::move(picture->image);
+    row.samples = picture->stats.samples;
+    row.hairsDrawn = picture->stats.hairsDrawn;
+    row.segmentsDrawn = picture->stats.segmentsDrawn;
     row.bytes = renderer.bytes();
     return row;
 }
 
 }  // namespace
+
+TracedPicture tracedPicture(const ReferencePicture& picture, ivec2 size) {
+    TracedPicture result{{size, picture.pixels()}, picture.noise(vec3(0.0f))};
+    for (vec4& pixel : result.image.pixels) pixel = glm::clamp(pixel, 0.0f, 1.0f);
+    return result;
+}
 
 std::vector<Approach> approaches(const MeasuredEye& eye) {
     std::vector<Approach> all;

@@ -29,6 +29,7 @@ struct TracedPicture {
     Image image;
     ReferenceNoise noise;  // over black
 };
+TracedPicture tracedPicture(const ReferencePicture& picture, ivec2 size);
 
 struct Measured {  // one value of a knob
     const Technique* technique = nullptr;

@@ -114,6 +114,10 @@ void requireCapabilities() {
 
 }  // namespace
 
+bool samePicture(const View& a, const View& b) {
+    return PictureKey(a) == PictureKey(b) && a.samples == b.samples && a.posed == b.posed;
+}
+
 Light studioLight(const Camera& camera) {
     Light light;
     const vec3 toEye(std::sin(camera.yaw), 0.0f, std::cos(camera.yaw));

@@ -38,6 +38,9 @@ struct View {
     bool operator==(const View&) const = delete;
 };
 
+// True if both give the same picture of a document, but for lines.
+bool samePicture(const View& a, const View& b);
+
 // A key light over the shoulder, so that the animal is lit from wherever it is looked at.
 Light studioLight(const Camera& camera);
 
