@@ -12,10 +12,11 @@ namespace pelage {
 namespace {
 
 constexpr uint kFirstSamples = 16;  // after which the view has its first figures
-constexpr uint kCurveSamples = 64;  // at most, of the other eyes
-constexpr float kNearest = 0.25f;   // of the framing distance
-constexpr int kCurveEyes = 6;       // each twice as far as the one before
-constexpr int kLeastSide = 16;      // pixels
+constexpr uint kNearSamples = 64;   // at most; a picture full of hair costs more and errs more
+constexpr std::size_t kNearEyes = 3;
+constexpr float kNearest = 0.25f;  // of the framing distance
+constexpr int kCurveEyes = 6;      // each twice as far as the one before
+constexpr int kLeastSide = 16;     // pixels
 
 }  // namespace
 
@@ -101,7 +102,8 @@ View Accuracy::viewAt(std::size_t eye) const {
 }
 
 uint Accuracy::wanted() const {
-    return eye_ == 0 ? subject_.options.samples : std::min(subject_.options.samples, kCurveSamples);
+    const uint samples = subject_.options.samples;
+    return eye_ >= 1 && eye_ <= kNearEyes ? std::min(samples, kNearSamples) : samples;
 }
 
 void Accuracy::step() {

@@ -41,18 +41,23 @@ void begin(App& app) {
     app.accuracy.begin(std::move(subject), std::move(eyes), app.accuracyPictures->draw(), app.wake);
 }
 
-void traceState(const App& app) {
+// What is new since it had this state and these pictures.
+void traceNews(const App& app, Accuracy::State state, std::size_t version) {
     const Accuracy& accuracy = app.accuracy;
-    if (accuracy.state() == Accuracy::State::measuring) return;
+    if (accuracy.version() != version) {
+        const AccuracyPoint& view = accuracy.points().front();
+        char text[160];
+        std::snprintf(text, sizeof text,
+                      "accuracy %u samples, flip %.6g rmse %.6g ssim %.6g noise %.6g ms %.6g",
+                      view.samples, view.errors.flipMean, view.errors.rmse, view.errors.ssim,
+                      static_cast<double>(view.reference.noise.color), view.ms());
+        trace(app, text);
+    }
+    if (accuracy.state() == state) return;
+    if (accuracy.state() == Accuracy::State::measured)
+        trace(app, "accuracy measured " + std::to_string(accuracy.points().size()));
     if (accuracy.state() == Accuracy::State::ended)
-        return trace(app, "accuracy ended " + accuracy.problem());
-    const AccuracyPoint& view = accuracy.points().front();
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "accuracy measured flip %.6g rmse %.6g ssim %.6g ms %.6g at %zu",
-                  view.errors.flipMean, view.errors.rmse, view.errors.ssim, view.ms(),
-                  accuracy.points().size());
-    trace(app, text);
+        trace(app, "accuracy ended " + accuracy.problem());
 }
 
 }  // namespace
@@ -81,6 +86,7 @@ double stepAccuracy(App& app, double rested, bool busy) {
     if (!accuracy.open && !accuracy.tracing()) return kNever;
     const auto state = accuracy.state();
     const bool old = accuracy.old();
+    const std::size_t version = accuracy.version();
     accuracy.follow(subjectOf(app));
     if (accuracy.open && accuracy.automatic && !app.moves() &&
         (accuracy.old() || accuracy.state() == Accuracy::State::none)) {
@@ -98,7 +104,7 @@ double stepAccuracy(App& app, double rested, bool busy) {
         complain(app, error.what());
     }
     if (accuracy.old() && !old) trace(app, "accuracy old");
-    if (accuracy.state() != state) traceState(app);
+    traceNews(app, state, version);
     if (app.stats.finished && (accuracy.asked || accuracy.drawing())) return 0.0;
     return accuracy.tracing() ? kOften : kNever;
 }

@@ -1,8 +1,10 @@
-// log_plot.cpp -- axes with ticks at 1, 2 and 5, the curve, and the point under the pointer.
+// log_plot.cpp -- axes with ticks, the curve, and the point under the pointer.
 #include "app/log_plot.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 
 namespace pelage {
 namespace {
@@ -32,20 +34,20 @@ struct Axis {
     float at(float value) const {
         return from + (to - from) * std::log(value / least) / std::log(greatest / least);
     }
-    // 1, 2 and 5 times powers of ten, or the powers alone where there are many.
+    // Round values, so far apart that each can be named.
     std::vector<float> ticks(float apart) const {
-        std::vector<float> all;
-        const int first = static_cast<int>(std::floor(std::log10(least)));
-        const int last = static_cast<int>(std::ceil(std::log10(greatest)));
-        for (int decade = first; decade <= last; ++decade)
-            for (const float digit : {1.0f, 2.0f, 5.0f}) {
-                const float value = digit * std::pow(10.0f, static_cast<float>(decade));
-                if (value >= least && value <= greatest) all.push_back(value);
-            }
+        constexpr std::array kDigits = {1.0f, 1.5f, 2.0f, 3.0f, 4.0f, 5.0f, 7.0f};
+        const bool fine = greatest < 8.0f * least;  // else 1, 2 and 5
         std::vector<float> kept;
-        for (const float value : all)
-            if (kept.empty() || std::abs(at(value) - at(kept.back())) >= apart)
-                kept.push_back(value);
+        float decade = std::pow(10.0f, std::floor(std::log10(least)));
+        for (; decade <= greatest; decade *= 10.0f)
+            for (const float digit : kDigits) {
+                const float value = digit * decade;
+                if (value < least || value > greatest) continue;
+                if (!fine && digit != 1.0f && digit != 2.0f && digit != 5.0f) continue;
+                if (kept.empty() || std::abs(at(value) - at(kept.back())) >= apart)
+                    kept.push_back(value);
+            }
         return kept;
     }
 };
@@ -80,7 +82,7 @@ void drawLogPlot(const Theme& theme, ImVec2 corner, ImVec2 size, const LogPlot& 
         draw.AddLine({across.from, y}, {across.to, y}, line);
         draw.AddText({across.from - theme.px(5) - width, y - 0.5f * letter}, dim, text.c_str());
     }
-    for (const float value : across.ticks(theme.px(52))) {
+    for (const float value : across.ticks(theme.px(44))) {
         const std::string text = plot.nameX(value);
         const float width = ImGui::CalcTextSize(text.c_str()).x;
         const float x = across.at(value);
@@ -110,9 +112,11 @@ void drawLogPlot(const Theme& theme, ImVec2 corner, ImVec2 size, const LogPlot& 
         const auto nearest = std::ranges::min_element(
             points, {}, [&](const LogPlot::Point& p) { return std::abs(across.at(p.x) - x); });
         draw.AddCircle(place(*nearest), theme.px(6), mark, 0, theme.px(1.5f));
+        ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0f);
         ImGui::SetTooltip("%s away: %s%s", plot.nameX(nearest->x).c_str(),
                           plot.nameY(nearest->y).c_str(),
                           nearest->sure ? "" : "\nThe reference is too noisy for it");
+        ImGui::PopStyleVar();
     }
     ImGui::PopFont();
 }

@@ -28,7 +28,7 @@ struct Figure {
 std::string noiseText(const AccuracyPoint& view) {
     const double share = noiseShare(view.errors.rmse, view.reference);
     const std::string noise = number("%.4f", static_cast<double>(view.reference.noise.color));
-    return noise + (share < 9.995 ? number("  (%.0f % of RMSE)", 100.0 * share) : "");
+    return noise + (share < 9.995 ? number(", %.0f %% of RMSE", 100.0 * share) : "");
 }
 
 std::vector<Figure> errorsOf(const AccuracyPoint& view) {
@@ -50,7 +50,7 @@ std::vector<Figure> errorsOf(const AccuracyPoint& view) {
                         "Share of the area that only one of both pictures covers."});
     }
     rows.push_back(
-        {"Reference noise", noiseText(view),
+        {"Noise", noiseText(view),
          "What chance leaves in the reference. Over a fifth of the error its figures are "
          "not to be trusted: take more samples.",
          !view.trusted()});
@@ -72,20 +72,19 @@ std::vector<Figure> costsOf(const App& app, const AccuracyPoint& view) {
         {"Frame", number("%.1f ms", view.ms()),
          "Median of five frames at this size, to the end of the GPU's work. The picture is the "
          "mean of several."},
-        {"Hairs drawn", grouped(stats.hairsDrawn),
-         "That the skin did not hide, after the rule of detail."},
-        {"of all", grouped(stats.hairsTotal), "That grow at density 1."},
+        {"Hairs drawn", grouped(stats.hairsDrawn) + " of " + grouped(stats.hairsTotal),
+         "That the rule of detail left and the skin did not hide, of all that grow."},
         {"Segments", grouped(stats.segmentsDrawn), "Straight pieces of these hairs."},
-        {"Detail asked", askedText(app.accuracy.subject().view.detail),
+        {"Detail, asked", askedText(app.accuracy.subject().view.detail),
          "The rule under View, Hairs."},
-        {"achieved", number("FLIP %.4f", view.errors.flipMean),
+        {"Detail, achieved", number("FLIP %.4f", view.errors.flipMean),
          "What the picture errs that the rule gave, measured against the reference."}};
     if (asked > 0.0f) {
         const bool drawn = moving.seconds > 0.0;
         rows.push_back({"Moving, asked", number("%.0f ms", static_cast<double>(asked)),
                         "The time that a frame of the window may take while the hand moves."});
         rows.push_back(
-            {"achieved",
+            {"Moving, achieved",
              !drawn ? "-"
                     : number("%.0f ms", 1e3 * moving.seconds) +
                           (moving.deviation > 0.0f
@@ -262,7 +261,9 @@ void drawHeader(App& app) {
         if (plainButton(ui, "Cancel", width)) accuracy.cancel();
     } else {
         ImGui::BeginDisabled(app.moves());
-        if (primaryButton(ui, accuracy.points().empty() ? "Measure" : "Measure again", width))
+        const bool again = !accuracy.points().empty();
+        const char* label = again ? "Measure again" : "Measure";
+        if (accuracy.fresh() ? plainButton(ui, label, width) : primaryButton(ui, label, width))
             measureAccuracy(app);
         ImGui::EndDisabled();
         tip(ui, app.moves() ? "Hold the animation and the wind first."
@@ -296,7 +297,9 @@ void drawHeader(App& app) {
     ImGui::EndDisabled();
     tip(ui, "The figures as .csv, and the three pictures beside it.");
     ImGui::SameLine(right - ui.theme.px(24));
-    if (plainButton(ui, "x", ui.theme.px(24))) toggleAccuracy(app);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
+    if (plainButton(ui, ui.theme.icons ? icon::kClose : "x", ui.theme.px(24))) toggleAccuracy(app);
+    ImGui::PopStyleVar();
     tip(ui, "Close this panel.");
 }
 
@@ -310,8 +313,10 @@ void drawAccuracy(App& app, const Layout& layout) {
     beginPanel("accuracy", {0, top}, {layout.window.x, layout.accuracy},
                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
-    ImGui::GetWindowDrawList()->AddLine({0, top}, {layout.window.x, top},
-                                        ImGui::GetColorU32(color::kLine));
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.PushClipRectFullScreen();
+    draw.AddLine({0, top}, {layout.window.x, top}, ImGui::GetColorU32(color::kLine));
+    draw.PopClipRect();
     drawHeader(app);
     const std::vector<AccuracyPoint>& points = app.accuracy.points();
     ImVec2 corner{theme.px(12), ImGui::GetCursorScreenPos().y + theme.px(4)};
@@ -326,7 +331,7 @@ void drawAccuracy(App& app, const Layout& layout) {
     const float height = layout.window.y - layout.status - theme.px(7) - corner.y;
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, app.accuracy.fresh() ? 1.0f : 0.4f);
     ImGui::PushFont(theme.small);
-    corner.x = drawPictures(app, corner, 0.4f * layout.window.x, height) + theme.px(16);
+    corner.x = drawPictures(app, corner, 0.38f * layout.window.x, height) + theme.px(16);
     const float width = theme.px(208), gap = theme.px(14);
     drawFigures(uiOf(app), corner, width, errorsOf(points.front()));
     corner.x += width + gap;
