@@ -1,4 +1,5 @@
 // accuracy_steps.cpp -- the verbs of the Accuracy panel, and what goes on beside the work.
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -72,6 +73,11 @@ void toggleAccuracy(App& app) {
 
 void measureAccuracy(App& app) { app.accuracy.open = app.accuracy.asked = true; }
 
+void cancelAccuracy(App& app) {
+    app.accuracy.cancel();
+    trace(app, "accuracy ended");
+}
+
 void showAccuracy(App& app, AccuracyPicture picture) {
     app.accuracy.shown = picture;
     trace(app, "accuracy shows " + std::to_string(static_cast<int>(picture)));
@@ -88,10 +94,11 @@ double stepAccuracy(App& app, double rested, bool busy) {
     const bool old = accuracy.old();
     const std::size_t version = accuracy.version();
     accuracy.follow(subjectOf(app));
+    double wait = kNever;
     if (accuracy.open && accuracy.automatic && !app.moves() &&
         (accuracy.old() || accuracy.state() == Accuracy::State::none)) {
-        if (rested < kPatience) return kPatience - rested;
-        accuracy.asked = true;
+        accuracy.asked = rested >= kPatience;
+        if (!accuracy.asked) wait = kPatience - rested;
     }
     try {
         if (rested >= kRest && !busy && app.stats.finished) {
@@ -106,7 +113,7 @@ double stepAccuracy(App& app, double rested, bool busy) {
     if (accuracy.old() && !old) trace(app, "accuracy old");
     traceNews(app, state, version);
     if (app.stats.finished && (accuracy.asked || accuracy.drawing())) return 0.0;
-    return accuracy.tracing() ? kOften : kNever;
+    return accuracy.tracing() ? std::min(wait, kOften) : wait;
 }
 
 void saveAccuracy(App& app, const std::string& path) {

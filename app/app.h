@@ -180,6 +180,7 @@ void stepPresets(App& app);  // goes on with their pictures
 // What the live picture's shortcuts cost (accuracy_steps.cpp).
 void toggleAccuracy(App& app);
 void measureAccuracy(App& app);
+void cancelAccuracy(App& app);
 void showAccuracy(App& app, AccuracyPicture picture);  // in place of the window's
 unsigned accuracyTexture(const App& app, AccuracyPicture picture);
 // In each frame: goes on measuring, by a frame only where nothing changed for a while and the

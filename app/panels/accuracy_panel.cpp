@@ -258,7 +258,7 @@ void drawHeader(App& app) {
     const bool measuring = accuracy.state() == Accuracy::State::measuring;
     const float width = ui.theme.px(124);
     if (measuring) {
-        if (plainButton(ui, "Cancel", width)) accuracy.cancel();
+        if (plainButton(ui, "Cancel", width)) cancelAccuracy(app);
     } else {
         ImGui::BeginDisabled(app.moves());
         const bool again = !accuracy.points().empty();
