@@ -110,6 +110,8 @@ double stepAccuracy(App& app, double rested, bool busy) {
         accuracy.cancel();
         complain(app, error.what());
     }
+    const bool news = accuracy.state() != state || accuracy.version() != version;
+    if (news || accuracy.old() != old) app.wake();  // one more frame, to show it
     if (accuracy.old() && !old) trace(app, "accuracy old");
     traceNews(app, state, version);
     if (app.stats.finished && (accuracy.asked || accuracy.drawing())) return 0.0;

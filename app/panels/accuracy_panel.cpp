@@ -87,7 +87,7 @@ std::vector<Figure> costsOf(const App& app, const AccuracyPoint& view) {
             {"Moving, achieved",
              !drawn ? "-"
                     : number("%.0f ms", 1e3 * moving.seconds) +
-                          (moving.deviation > 0.0f
+                          (moving.deviation >= 0.01f
                                ? number(", %.2g px off", static_cast<double>(moving.deviation))
                                : ""),
              "Of the last such frame: its time, and by how much it was coarser to keep to it."});
