@@ -111,9 +111,9 @@ double stepAccuracy(App& app, double rested, bool busy) {
         complain(app, error.what());
     }
     const bool news = accuracy.state() != state || accuracy.version() != version;
-    if (news || accuracy.old() != old) app.wake();  // one more frame, to show it
     if (accuracy.old() && !old) trace(app, "accuracy old");
     traceNews(app, state, version);
+    if (news || accuracy.old() != old) return 0.0;  // one more frame, to show it
     if (app.stats.finished && (accuracy.asked || accuracy.drawing())) return 0.0;
     return accuracy.tracing() ? std::min(wait, kOften) : wait;
 }
