@@ -13,6 +13,7 @@
 #include "core/strand.h"
 #include "rods.h"
 #include "test_skins.h"
+#include "tests/figures.h"
 
 namespace pelage {
 namespace {
@@ -113,10 +114,11 @@ TEST(Rod, TableIsWithinItsBoundsOfTheSolver) {
     double mean = 0.0;
     for (const double e : errors) mean += e / static_cast<double>(errors.size());
     const double p99 = errors[errors.size() * 99 / 100];
-    std::printf("shape: mean %.2g, p99 %.2g, max %.2g\n", mean, p99, errors.back());
-    EXPECT_LE(mean, 5e-4);
-    EXPECT_LE(p99, 3e-3);
-    EXPECT_LE(errors.back(), 8e-3);
+    using test::reached;
+    reached("H4", "table of rods against the solver, .05 to 179 degrees, loads to 1000: mean", mean,
+            5e-4);
+    reached("H4", "the same, 99 % of the cases", p99, 3e-3);
+    reached("H4", "the same, at worst", errors.back(), 8e-3);
 }
 
 TEST(Rod, TableHasTheSameBitsOnEveryMachine) {
