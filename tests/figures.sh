@@ -15,7 +15,7 @@ suites() {
 figures() {
     local part
     for part in core hard gl; do
-        "$build/tests/${part}_tests" --gtest_filter="$(suites "$part")" >"$log" || {
+        "$build/${part}_tests" --gtest_filter="$(suites "$part")" >"$log" || {
             grep -B 5 FAILED "$log" >&2
             exit 1
         }
