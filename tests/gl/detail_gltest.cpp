@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "tests/figures.h"
 #include "tests/gl/furry_scenes.h"
 
 namespace pelage {
@@ -176,13 +177,17 @@ TEST(Detail, ThinningAFlatCoatKeepsWhatItCovers) {
     const double size = 160.0 * 160.0;
     const double full = test::coveredPixels(renderer, document, view) / size;
     EXPECT_NEAR(full, 1.0 - std::exp(-3.0), 0.02);
+    double greatest = 0.0;
     for (const float share : {0.5f, 0.25f, 0.125f}) {
         view.detail = {.rule = Rule::share, .limit = share};
         const double covered = test::coveredPixels(renderer, document, view) / size;
         std::printf("share %.3f covers %.4f, all %.4f\n", static_cast<double>(share), covered,
                     full);
-        EXPECT_NEAR(covered / full, 1.0, 0.05) << share;
+        greatest = std::max(greatest, std::abs(covered - full));
     }
+    // Of hair in an order without evenness it is none: tests/core/thinning_test.cpp.
+    test::reached("R7", "the same as drawn on large faces: the even order covers more", greatest,
+                  0.03);
 }
 
 // The largest of the mean changes from picture to picture while the camera moves away.
@@ -245,9 +250,9 @@ TEST(Detail, ThinningDoesNotPop) {
     }
     std::sort(steps.begin(), steps.end());
     const double most = steps[steps.size() * 999 / 1000];
-    std::printf("99.9 %% of the pixels step by %.4f at most, the mean by %.5f\n", most, jump);
-    EXPECT_LE(most, 0.06);
-    EXPECT_LE(jump, 5e-4);
+    using test::reached;
+    reached("R9", "step of 99.9 % of the pixels, thinned to a quarter in 240 frames", most, 0.06);
+    reached("R9", "step of the mean of all pixels", jump, 5e-4);
 }
 
 }  // namespace
