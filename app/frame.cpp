@@ -12,7 +12,8 @@
 namespace pelage {
 namespace {
 
-constexpr double kRest = 0.15;  // s without change until the picture converges
+constexpr double kRest = 0.15;      // s without change until the picture converges
+constexpr double kPatience = 0.25;  // s of a frame, for the error of a picture at rest
 
 bool asking(const App& app) {
     return app.dialogs.current != Dialog::none || !app.dialogs.problem.empty() ||
@@ -82,6 +83,7 @@ void drawPicture(App& app, Renderer& renderer, FrameKeys& keys, double now, bool
     view.segments = static_cast<uint>(options.segments);
     view.seconds = options.windSeconds;
     view.detail = options.detail;
+    view.patience = kPatience;
     if (!moving) view.detail.milliseconds = 0.0f;
     view.samples = moving ? 1 : options.samples;
     view.posed = app.workspace.posed;

@@ -47,16 +47,16 @@ Measured measured(Renderer& renderer, Document document, View view, const Techni
                   std::size_t value, int repeat) {
     technique.turn(value, document.fur, view);
     Measured row{.technique = &technique, .value = value};
-    const std::vector<double> times = timeFrames(renderer, document, view, repeat);
-    row.msFrame = median(times);
-    row.msLeast = *std::ranges::min_element(times);
-    row.msGreatest = *std::ranges::max_element(times);
-    Drawn picture = drawn(renderer, document, view);
+    Drawn picture = drawn(renderer, document, view);  // settles what a FLIP asks for
     row.image = std::move(picture.image);
     row.samples = picture.stats.samples;
     row.hairsDrawn = picture.stats.hairsDrawn;
     row.segmentsDrawn = picture.stats.segmentsDrawn;
     row.bytes = renderer.bytes();
+    const std::vector<double> times = timeFrames(renderer, document, view, repeat);
+    row.msFrame = median(times);
+    row.msLeast = *std::ranges::min_element(times);
+    row.msGreatest = *std::ranges::max_element(times);
     return row;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 
@@ -12,7 +13,10 @@
 #include "app/render/post_pass.h"
 #include "app/render/skin_pass.h"
 #include "app/render/strand_pass.h"
+#include "core/fidelity.h"
+#include "core/flip.h"
 #include "core/pace.h"
+#include "core/pixels.h"
 
 namespace pelage {
 namespace {
@@ -80,11 +84,31 @@ struct Canvas {
 // pixels each way, as few hairs have to be so wide that their pixels cost more than the others
 // would; and with all of them again where that deviates by less.
 constexpr float kBlurFrom = 4.0f, kSharpFrom = 0.5f;
-constexpr float kWidest = 26.0f;  // pixels from the middle of a hair to its edge, and some
+constexpr float kLeastUse = 0.6f;  // share of an error that is asked for
+constexpr float kWidest = 26.0f;   // pixels from the middle of a hair to its edge, and some
 
 Sight sightOf(const FrameData& frame) {
     return {frame.viewProjection,     frame.eye, frame.forward, frame.pixelsPerMetre,
             frame.perspective > 0.0f, frame.size};
+}
+
+Fineness finenessOf(const FrameData& frame) { return {frame.segments, frame.tolerance, false}; }
+
+// What was drawn of the hair.
+struct Sample {
+    InSight seen;
+    Choice chosen;
+    double strandSeconds = 0.0;
+};
+
+// Whether the time of the hair is measured apart from that of the rest.
+bool isTimed(const Detail& detail) {
+    return detail.milliseconds > 0.0f || detail.rule == Detail::Rule::flip;
+}
+
+float meanOf(const Plane& plane) {
+    return static_cast<float>(std::accumulate(plane.values.begin(), plane.values.end(), 0.0) /
+                              static_cast<double>(plane.values.size()));
 }
 
 // OpenGL 4.5 promises fewer storage buffers than the shaders read; every desktop driver has more.
@@ -124,6 +148,18 @@ Light studioLight(const Camera& camera) {
     return light;
 }
 
+// The picture of all hairs that one of fewer is held against.
+struct Check {
+    Canvas canvas;
+    PostPass post;
+    int samples = 0;
+
+    void resize(ivec2 size) {
+        canvas.resize(size);
+        post.resize(size);
+    }
+};
+
 struct Renderer::Parts {
     Mirror mirror;
     SkinPass skinPass;
@@ -132,6 +168,11 @@ struct Renderer::Parts {
     gl::Buffer frameBlock;
     Canvas fine, coarse;
     Pace finePace, coarsePace;
+    Fidelity fidelity;
+    FurInView furShown;
+    std::optional<Check> check;
+    bool refined = false;  // the picture began anew, as it had been too coarse
+    double allWork = 0.0;  // of the last sample, had it been drawn with all hairs
     ivec2 size{0};
     std::optional<PictureKey> key;
     int samples = 0;
@@ -153,7 +194,13 @@ struct Renderer::Parts {
     void drawSkin(const Canvas& canvas, const FrameData& frame, const View& view);
     SkinDepth skinDepth(const Canvas& canvas, const Sight& sight, const Pelt& pelt);
     Choice choice(const View& view, const FrameData& frame, const Pelt& pelt, const InSight& seen);
+    // What `choose` takes of what is seen, drawn into a canvas.
+    template <typename Choose>
+    Sample draw(const Document& document, const View& view, const Canvas& canvas, int sample,
+                const Choose& choose);
     void drawSample(const Document& document, const View& view);
+    bool mayCheck(const View& view) const;
+    void drawCheck(const Document& document, const View& view);
     void count(const InSight& seen, const Choice& chosen);
     void display(const View& view);
     mat4 viewProjection(const View& view) const;
@@ -230,52 +277,109 @@ SkinDepth Renderer::Parts::skinDepth(const Canvas& canvas, const Sight& sight, c
 Choice Renderer::Parts::choice(const View& view, const FrameData& frame, const Pelt& pelt,
                                const InSight& seen) {
     const Sight sight = sightOf(frame);
-    const Fineness otherwise{frame.segments, frame.tolerance, false};
-    float deviation = 0.0f;  // of the pixels that are drawn
+    const Fineness otherwise = finenessOf(frame);
+    const bool budget = view.detail.rule == Detail::Rule::flip;
+    furShown = budget ? furInView(mirror.roots(), seen, sight, pelt) : FurInView{};
+    const float allowed = budget ? fidelity.deviationWithin(view.detail.limit, furShown) : 0.0f;
+    if (budget) allWork = workOf(seen, sight, pelt, {.rule = Detail::Rule::all}, 0.0f, otherwise);
+    float needed = 0.0f;  // to keep to the time
     if (view.detail.milliseconds > 0.0f) {
         const Pace& pace = blurred ? coarsePace : finePace;
         const double work = pace.workWithin(1e-3 * static_cast<double>(view.detail.milliseconds));
-        deviation = deviationWithin(work, seen, sight, pelt, view.detail, otherwise);
+        needed = deviationWithin(work, seen, sight, pelt, view.detail, otherwise);
     }
-    blurs = deviation > (blurred ? kSharpFrom : kBlurFrom);
+    blurs = needed > (blurred ? kSharpFrom : kBlurFrom);
+    const float deviation = std::max(allowed, needed);  // of the pixels that are drawn
     stats.deviation = blurred ? 2.0f * deviation : deviation;
+    stats.flip = fidelity.flipAt(stats.deviation, furShown);
+    stats.flipMeasured = false;
     return choose(mirror.roots(), seen, sight, pelt, view.detail, deviation, otherwise);
 }
 
-void Renderer::Parts::drawSample(const Document& document, const View& view) {
-    const auto start = Clock::now();
-    const bool bounded = view.detail.milliseconds > 0.0f;
-    blurred = bounded && blurs;
-    if (blurred) coarse.resize((view.size + 1) / 2);
-    const Canvas& canvas = blurred ? coarse : fine;
-    FrameData frame = frameData(document, view, samples, canvas.size);
+template <typename Choose>
+Sample Renderer::Parts::draw(const Document& document, const View& view, const Canvas& canvas,
+                             int sample, const Choose& choose) {
+    FrameData frame = frameData(document, view, sample, canvas.size);
     const Pelt pelt = peltOf(document.fur, frame.coats, frame.overWidth, frame.underWidth,
                              document.skin->area, mirror.longestHair());
     drawSkin(canvas, frame, view);
     const SkinDepth depth = skinDepth(canvas, sightOf(frame), pelt);
     // The parts of a frame can only be told apart where each waits for the one before.
-    const auto strandStart = Clock::now();
-    const InSight seen =
+    const auto start = Clock::now();
+    Sample drawn;
+    drawn.seen =
         lookAt(mirror.roots(), mirror.tufts(), pelt, sightOf(frame), view.culls ? &depth : nullptr);
-    const Choice chosen = choice(view, frame, pelt, seen);
-    frame.segments = chosen.fineness.segments;
-    frame.tolerance = chosen.fineness.tolerance;
-    frame.adapts = chosen.fineness.adapts ? 1u : 0u;
+    drawn.chosen = choose(frame, pelt, drawn.seen);
+    const Fineness& fineness = drawn.chosen.fineness;
+    frame.segments = fineness.segments;
+    frame.tolerance = fineness.tolerance;
+    frame.adapts = fineness.adapts ? 1u : 0u;
     frameBlock.upload(std::span<const FrameData>(&frame, 1));
     strandPass.draw(mirror, document.fur, pelt.coats,
-                    planStrands(mirror.roots(), chosen, chosen.fineness.adapts), frameBlock,
+                    planStrands(mirror.roots(), drawn.chosen, fineness.adapts), frameBlock,
                     canvas.color, canvas.depth);
-    if (bounded) glFinish();
-    const double strandSeconds = secondsSince(strandStart);
+    if (isTimed(view.detail)) glFinish();
+    drawn.strandSeconds = secondsSince(start);
+    return drawn;
+}
 
+void Renderer::Parts::drawSample(const Document& document, const View& view) {
+    const auto start = Clock::now();
+    blurred = view.detail.milliseconds > 0.0f && blurs;
+    if (blurred) coarse.resize((view.size + 1) / 2);
+    const Canvas& canvas = blurred ? coarse : fine;
+    const auto choose = [&](const FrameData& frame, const Pelt& pelt, const InSight& seen) {
+        return choice(view, frame, pelt, seen);
+    };
+    const Sample sample = draw(document, view, canvas, samples, choose);
     if (!single) postPass.accumulate(canvas.color, samples == 0);
     ++samples;
     display(view);
     glFinish();
     stats.seconds = secondsSince(start);
     (blurred ? coarsePace : finePace)
-        .learn(chosen.work, strandSeconds, stats.seconds - strandSeconds);
-    count(seen, chosen);
+        .learn(sample.chosen.work, sample.strandSeconds, stats.seconds - sample.strandSeconds);
+    count(sample.seen, sample.chosen);
+}
+
+// Whether the picture, once it is complete, is to be held against that of all hairs. Not where it
+// had to keep to a time, nor where that would take too long.
+bool Renderer::Parts::mayCheck(const View& view) const {
+    return view.detail.rule == Detail::Rule::flip && view.detail.milliseconds == 0.0f &&
+           !stats.flipMeasured && finePace.secondsOf(allWork) <= view.patience;
+}
+
+void Renderer::Parts::drawCheck(const Document& document, const View& view) {
+    if (!check) check.emplace();
+    check->resize(view.size);
+    if (check->samples > samples) check->samples = 0;
+    if (check->samples < samples) {
+        const auto choose = [&](const FrameData& frame, const Pelt& pelt, const InSight& seen) {
+            return pelage::choose(mirror.roots(), seen, sightOf(frame), pelt,
+                                  {.rule = Detail::Rule::all}, 0.0f, finenessOf(frame));
+        };
+        draw(document, view, check->canvas, check->samples, choose);
+        check->post.accumulate(check->canvas.color, check->samples == 0);
+        ++check->samples;
+        glFinish();
+    }
+    if (check->samples < samples) return;
+    for (PostPass* post : {&postPass, &check->post})  // without lines
+        post->display(samples, post == &postPass ? fine.color : check->canvas.color, {}, mat4(1.0f),
+                      fine.depth);
+    const Plane difference =
+        flip(linearImage({size, postPass.pixels()}), linearImage({size, check->post.pixels()}));
+    stats.flip = meanOf(difference);
+    stats.flipMeasured = true;
+    display(view);
+    const float asked = view.detail.limit;
+    const bool missed = stats.flip > asked;
+    const bool wastes = !refined && stats.deviation > 0.0f && stats.flip < kLeastUse * asked &&
+                        stats.deviation < kCoarsest;
+    if (!missed && !wastes) return;
+    fidelity.learn(asked, stats.flip, stats.deviation, furShown);
+    refined = missed;
+    samples = 0;
 }
 
 void Renderer::Parts::count(const InSight& seen, const Choice& chosen) {
@@ -315,7 +419,12 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
     const int wanted = std::clamp(view.samples, 1, 1024);
     // A single sample is shown as it is and not kept in the sum, so more of them begin anew.
     const bool single = wanted == 1;
-    if (changed || !p.key || !(*p.key == key) || (p.single && !single)) p.samples = 0;
+    if (changed || !p.key || !(*p.key == key)) {
+        p.samples = 0;
+        if (p.check) p.check->samples = 0;
+        p.refined = false;
+    }
+    if (p.single && !single) p.samples = 0;
     if (p.key && p.key->detail != key.detail) p.blurs = false;
     p.key = key;
     p.single = single;
@@ -323,28 +432,18 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
 
     if (p.samples < wanted)
         p.drawSample(document, view);
+    else if (p.mayCheck(view))
+        p.drawCheck(document, view);
     else if (!view.lines.empty() || p.linesShown)
         p.display(view);
     p.linesShown = !view.lines.empty();
-    p.stats.finished = p.samples >= wanted;
+    p.stats.finished = p.samples >= wanted && !p.mayCheck(view);
     return p.stats;
 }
 
 unsigned Renderer::texture() const { return parts_->postPass.picture().name(); }
 
-std::vector<unsigned char> Renderer::pixels() const {
-    const ivec2 size = parts_->size;
-    const std::size_t row = static_cast<std::size_t>(size.x) * 4;
-    std::vector<unsigned char> upward(row * static_cast<std::size_t>(size.y));
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTextureImage(texture(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(upward.size()),
-                      upward.data());
-    std::vector<unsigned char> downward(upward.size());
-    for (std::size_t y = 0; y < static_cast<std::size_t>(size.y); ++y)
-        std::copy_n(upward.begin() + static_cast<std::ptrdiff_t>(y * row), row,
-                    downward.end() - static_cast<std::ptrdiff_t>((y + 1) * row));
-    return downward;
-}
+std::vector<unsigned char> Renderer::pixels() const { return parts_->postPass.pixels(); }
 
 std::string Renderer::device() const {
     return std::string(reinterpret_cast<const char*>(glGetString(GL_RENDERER))) + ", " +
