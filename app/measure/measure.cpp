@@ -18,12 +18,13 @@ struct Drawn {
 
 // The picture over black, with its coverage: what a white background does not lighten.
 Drawn drawn(Renderer& renderer, const Document& document, View view) {
-    view.background = vec3(1.0f);
-    drawFinished(renderer, document, view);
-    const Image white = linearImage({view.size, renderer.pixels()});
     view.background = vec3(0.0f);
     const FrameStats stats = drawFinished(renderer, document, view);
     Image image = linearImage({view.size, renderer.pixels()});
+    view.background = vec3(1.0f);
+    view.patience = 0.0;  // of the same hairs
+    drawFinished(renderer, document, view);
+    const Image white = linearImage({view.size, renderer.pixels()});
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         const vec3 through = vec3(white.pixels[i]) - vec3(image.pixels[i]);
         image.pixels[i].a =

@@ -4,19 +4,18 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 
+#include "app/render/canvas.h"
+#include "app/render/check.h"
 #include "app/render/frame_data.h"
 #include "app/render/mirror.h"
 #include "app/render/post_pass.h"
 #include "app/render/skin_pass.h"
 #include "app/render/strand_pass.h"
 #include "core/fidelity.h"
-#include "core/flip.h"
 #include "core/pace.h"
-#include "core/pixels.h"
 
 namespace pelage {
 namespace {
@@ -64,22 +63,6 @@ vec2 sampleOffset(int sample) {
     return {fraction(0.5 + n * 0.7548776662466927), fraction(0.5 + n * 0.5698402909980532)};
 }
 
-// What a sample is drawn into.
-struct Canvas {
-    ivec2 size{0};
-    gl::Texture color, depth;
-    gl::Framebuffer target;
-
-    void resize(ivec2 wanted) {
-        if (wanted == size) return;
-        size = wanted;
-        color = gl::makeTexture(size, GL_RGBA16F);
-        glTextureParameteri(color.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-        depth = gl::makeTexture(size, GL_DEPTH_COMPONENT32F);
-        target = gl::makeFramebuffer(color, &depth);
-    }
-};
-
 // Pixels. Where a frame that is bound by time has to deviate by more it is drawn with half as many
 // pixels each way, as few hairs have to be so wide that their pixels cost more than the others
 // would; and with all of them again where that deviates by less.
@@ -104,11 +87,6 @@ struct Sample {
 // Whether the time of the hair is measured apart from that of the rest.
 bool isTimed(const Detail& detail) {
     return detail.milliseconds > 0.0f || detail.rule == Detail::Rule::flip;
-}
-
-float meanOf(const Plane& plane) {
-    return static_cast<float>(std::accumulate(plane.values.begin(), plane.values.end(), 0.0) /
-                              static_cast<double>(plane.values.size()));
 }
 
 // OpenGL 4.5 promises fewer storage buffers than the shaders read; every desktop driver has more.
@@ -147,18 +125,6 @@ Light studioLight(const Camera& camera) {
     light.ground = vec3(0.26f, 0.23f, 0.20f);
     return light;
 }
-
-// The picture of all hairs that one of fewer is held against.
-struct Check {
-    Canvas canvas;
-    PostPass post;
-    int samples = 0;
-
-    void resize(ivec2 size) {
-        canvas.resize(size);
-        post.resize(size);
-    }
-};
 
 struct Renderer::Parts {
     Mirror mirror;
@@ -359,17 +325,11 @@ void Renderer::Parts::drawCheck(const Document& document, const View& view) {
                                   {.rule = Detail::Rule::all}, 0.0f, finenessOf(frame));
         };
         draw(document, view, check->canvas, check->samples, choose);
-        check->post.accumulate(check->canvas.color, check->samples == 0);
-        ++check->samples;
+        check->add();
         glFinish();
     }
     if (check->samples < samples) return;
-    for (PostPass* post : {&postPass, &check->post})  // without lines
-        post->display(samples, post == &postPass ? fine.color : check->canvas.color, {}, mat4(1.0f),
-                      fine.depth);
-    const Plane difference =
-        flip(linearImage({size, postPass.pixels()}), linearImage({size, check->post.pixels()}));
-    stats.flip = meanOf(difference);
+    stats.flip = check->errorOf(postPass, fine);
     stats.flipMeasured = true;
     display(view);
     const float asked = view.detail.limit;
