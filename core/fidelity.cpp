@@ -7,9 +7,9 @@
 namespace pelage {
 namespace {
 
-constexpr float kAimed = 0.9f;          // share of the error that is planned
-constexpr float kLeast = 1.0f / 16.0f;  // factor
-constexpr float kStep = 1.1f;           // of the factor at least, where a picture missed its error
+constexpr float kAimed = 0.9f;  // share of the error that is planned
+constexpr float kFall = 0.25f;  // of the factor at most, from picture to picture
+constexpr float kStep = 1.1f;   // of the factor at least, where a picture missed its error
 
 // Of a picture full of fur. Of thinned hair a share of the hairs is missing and what is left is
 // wider; the eye averages thin hairs and sees wide ones. Fitted to pictures of the animal, 0.01 to
@@ -68,8 +68,8 @@ float Fidelity::deviationWithin(float flip, const FurInView& fur) const {
 void Fidelity::learn(float asked, float measured, float deviation, const FurInView& fur) {
     const float guessed = flipAt(deviation, fur) / factor_;
     if (!(guessed > 0.0f)) return;
-    const float finer = measured > asked ? kStep * factor_ : kLeast;
-    factor_ = std::max(measured / guessed, finer);
+    const float least = (measured > asked ? kStep : kFall) * factor_;
+    factor_ = std::max(measured / guessed, least);
 }
 
 }  // namespace pelage

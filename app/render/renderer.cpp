@@ -246,7 +246,10 @@ Choice Renderer::Parts::choice(const View& view, const FrameData& frame, const P
     const Fineness otherwise = finenessOf(frame);
     const bool budget = view.detail.rule == Detail::Rule::flip;
     furShown = budget ? furInView(mirror.roots(), seen, sight, pelt) : FurInView{};
-    const float allowed = budget ? fidelity.deviationWithin(view.detail.limit, furShown) : 0.0f;
+    // All hairs are not the first try: it would tell nothing of the error of fewer.
+    const float least = refined ? 0.0f : kFinest;
+    const float allowed =
+        budget ? std::max(fidelity.deviationWithin(view.detail.limit, furShown), least) : 0.0f;
     if (budget) allWork = workOf(seen, sight, pelt, {.rule = Detail::Rule::all}, 0.0f, otherwise);
     float needed = 0.0f;  // to keep to the time
     if (view.detail.milliseconds > 0.0f) {
@@ -334,8 +337,7 @@ void Renderer::Parts::drawCheck(const Document& document, const View& view) {
     display(view);
     const float asked = view.detail.limit;
     const bool missed = stats.flip > asked;
-    const bool wastes = !refined && stats.deviation > 0.0f && stats.flip < kLeastUse * asked &&
-                        stats.deviation < kCoarsest;
+    const bool wastes = !refined && stats.flip < kLeastUse * asked && stats.deviation < kCoarsest;
     if (!missed && !wastes) return;
     fidelity.learn(asked, stats.flip, stats.deviation, furShown);
     refined = missed;
