@@ -1,10 +1,11 @@
 // strand_raster.comp -- hairs to pixels, one invocation a hair, in two passes over the same code.
 //
 // The first pass (DEPTH_PASS) finds the nearest hair of each pixel with atomicMin on a 32-bit key;
-// the second walks the same pixels and stores the color where its key is the one that won. So each
-// pixel is written once, nothing per hair is kept between the passes, and 64-bit atomics are not
-// needed. A pixel belongs to a hair when its center lies inside the hair's outline: averaged over
-// sub-pixel offsets this is the exact coverage, also of hairs far thinner than a pixel.
+// the second walks the same pixels for the hairs that the skin does not hide, and stores the color
+// where its key is the one that won. So each pixel is written once, only the numbers of those hairs
+// are kept between the passes, and 64-bit atomics are not needed. A pixel belongs to a hair when its
+// center lies inside the hair's outline: averaged over sub-pixel offsets this is the exact coverage,
+// also of hairs far thinner than a pixel.
 //
 // There is one program for each STYLE (kStyle... of types.glsl) with and without SHAPED hair
 // (clumps, curls, frizz) and RODS, so that what a coat does not use costs nothing.
@@ -31,20 +32,27 @@ struct Run {     // a prefix of a cluster of roots
     uint pad0;
 };
 
-struct Group {  // of 32 hairs
-    uint run;   // of the first one
-    uint seen;  // bit i: the first pass found that hair i is not hidden
+struct List {   // of the hairs of one program that the first pass found not hidden
+    uint wide;   // groups of 32 that the second pass dispatches, in this and two more dimensions
+    uint high;
+    uint deep;
+    uint count;  // hairs
+    uint segments;
 };
 
 layout(std430, binding = 7) readonly buffer RootsBuffer { Root roots[]; };
 layout(std430, binding = 8) coherent buffer Keys { uint keys[]; };
 layout(std430, binding = 9) readonly buffer Runs { Run runs[]; };
-layout(std430, binding = 10) buffer Counters { uint drawn; uint drawnSegments; };
-layout(std430, binding = 12) buffer Groups { Group groups[]; };
+layout(std430, binding = 10) buffer Counters { List lists[]; };
+layout(std430, binding = 11) buffer Seen { uint seenHairs[]; };  // numbers, list after list
+layout(std430, binding = 12) readonly buffer Groups { uint groups[]; };  // run of the first of 32
 layout(binding = 1) uniform sampler2D skinDepth;
 layout(location = 0) uniform uint coatsHere;  // as frame.coats, of this program
+#ifdef DEPTH_PASS
 layout(location = 1) uniform uvec2 numbers;   // of the hairs: the first one, a multiple of 32, and
                                               // the one after the last
+#endif
+layout(location = 2) uniform uvec2 list;      // its number, and where it begins
 #ifndef DEPTH_PASS
 layout(std430, binding = 6) readonly buffer Mask { float mask[]; };
 layout(std430, binding = 13) readonly buffer SegmentOf { uint segmentOf[]; };
@@ -65,7 +73,20 @@ const uint kColumns = 3u;  // left edge, middle and right edge of a ribbon
 #else
 const uint kColumns = 2u;  // both edges
 #endif
+const uint kMostWide = 65535u;  // groups in one dimension, as in strand_pass.cpp
 const float kWidestHalf = 24.0;  // pixels; a hair before the lens does not stall the frame
+
+#ifdef DEPTH_PASS
+// Only these are grown again: in full groups, so that no lane idles for a hair that is hidden.
+void keepSeen(uint number) {
+    uint place = atomicAdd(lists[list.x].count, 1u);
+    seenHairs[list.y + place] = number;
+    if (place % 32u != 0u) return;
+    uint group = place / 32u;
+    if (group < kMostWide) atomicAdd(lists[list.x].wide, 1u);
+    if (group % kMostWide == 0u) atomicAdd(lists[list.x].high, 1u);
+}
+#endif
 
 // Window position (pixels), depth, and width in pixels. In both kinds of projection clip.w is the
 // distance by which widths shrink.
@@ -182,14 +203,16 @@ void colorColumns(Strand s, bool over, Look look, float t, inout vec3 colors[kCo
 #endif
 
 void main() {
-    uint group = numbers.x / 32u + gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-    uint lane = gl_LocalInvocationID.x;
-    uint number = 32u * group + lane;
+    uint place = 32u * (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) +
+                 gl_LocalInvocationID.x;
+#ifdef DEPTH_PASS
+    uint number = numbers.x + place;
     if (number >= numbers.y) return;
-#ifndef DEPTH_PASS
-    if ((groups[group].seen >> lane & 1u) == 0u) return;
+#else
+    if (place >= lists[list.x].count) return;
+    uint number = seenHairs[list.y + place];
 #endif
-    uint which = groups[group].run;
+    uint which = groups[number / 32u];
     while (number >= runs[which].end) ++which;
     Run run = runs[which];
     uint index = run.first + number - run.begin;
@@ -199,10 +222,9 @@ void main() {
     bool over = isOvercoat(root.id, fur.share);
     if ((coatsHere & (over ? 1u : 2u)) == 0u) return;
     uvec4 t = triangles[root.triangle];
-    vec3 weights = baryWeights(root.bary);
     vec3 density =
         vec3(furVertices[t.x].density, furVertices[t.y].density, furVertices[t.z].density);
-    float keep = clamp(dot(weights, density), 0.0, 1.0);
+    float keep = keepAt(root, density.x, density.y, density.z);
     float rank = rankOf(number - run.begin, run.phase, run.step);
     if (!(rank < keep * run.fade)) return;
 
@@ -289,9 +311,8 @@ void main() {
 
 #ifdef DEPTH_PASS
     if (!seen) return;
-    atomicAdd(drawn, 1u);
-    atomicAdd(drawnSegments, segments);
-    atomicOr(groups[group].seen, 1u << lane);
+    atomicAdd(lists[list.x].segments, segments);
+    keepSeen(number);
 #else
     vec3 field = density;
     if (frame.overlay == 1u)
@@ -299,7 +320,7 @@ void main() {
                      furVertices[t.z].furLength);
     if (frame.overlay == 4u) field = vec3(mask[t.x], mask[t.y], mask[t.z]);
     Look look;
-    look.base = colorAtRoot(root, weights, field);
+    look.base = colorAtRoot(root, baryWeights(root.bary), field);
     look.eye = eye;
     look.perArea = frame.hairsPerArea * keep;
     float relative = over ? fur.over.relativeLength : fur.under.relativeLength;

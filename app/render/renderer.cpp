@@ -70,6 +70,10 @@ constexpr float kBlurFrom = 4.0f, kSharpFrom = 0.5f;
 constexpr float kLeastUse = 0.6f;  // share of an error that is asked for
 constexpr float kWidest = 26.0f;   // pixels from the middle of a hair to its edge, and some
 
+struct Box {  // pixels
+    ivec2 lower{0}, upper{0};
+};
+
 Sight sightOf(const FrameData& frame) {
     return {frame.viewProjection,     frame.eye, frame.forward, frame.pixelsPerMetre,
             frame.perspective > 0.0f, frame.size};
@@ -77,11 +81,16 @@ Sight sightOf(const FrameData& frame) {
 
 Fineness finenessOf(const FrameData& frame) { return {frame.segments, frame.tolerance, false}; }
 
+void begin(PostPass& post, const View& view, const Box& box, ivec2 size) {
+    post.begin(view.background, vec2(box.lower) / vec2(size), vec2(box.upper) / vec2(size));
+}
+
 // What was drawn of the hair.
 struct Sample {
     InSight seen;
     Choice chosen;
     double strandSeconds = 0.0;
+    Box box;  // that the hair stays in
 };
 
 // Whether the time of the hair is measured apart from that of the rest.
@@ -101,7 +110,7 @@ void requireCapabilities() {
         const char* name;
     } limits[] = {
         {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 16, "storage buffers"},
-        {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 13, "storage buffers in a compute shader"},
+        {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 15, "storage buffers in a compute shader"},
         {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, 6, "storage buffers in a vertex shader"},
         {GL_MAX_COMPUTE_IMAGE_UNIFORMS, 1, "images in a compute shader"},
     };
@@ -158,7 +167,7 @@ struct Renderer::Parts {
 
     FrameData frameData(const Document& document, const View& view, int sample, ivec2 pixels) const;
     void drawSkin(const Canvas& canvas, const FrameData& frame, const View& view);
-    SkinDepth skinDepth(const Canvas& canvas, const Sight& sight, const Pelt& pelt);
+    Box boxOf(const Sight& sight, const Pelt& pelt) const;
     Choice choice(const View& view, const FrameData& frame, const Pelt& pelt, const InSight& seen);
     // What `choose` takes of what is seen, drawn into a canvas.
     template <typename Choose>
@@ -211,6 +220,17 @@ FrameData Renderer::Parts::frameData(const Document& document, const View& view,
     return frame;
 }
 
+// The pixels that skin and hair may reach.
+Box Renderer::Parts::boxOf(const Sight& sight, const Pelt& pelt) const {
+    const Skin& skin = mirror.skin();
+    const float reach = std::max(pelt.reach() * mirror.longestHair(), pelt.clumpReach);
+    const Outline outline = outlineOf(sight, skin.lower, skin.upper, reach);
+    if (!outline.known) return {ivec2(0), sight.size};
+    const vec2 limit(sight.size);
+    return {ivec2(glm::clamp(glm::floor(outline.lower - kWidest), vec2(0.0f), limit)),
+            ivec2(glm::clamp(glm::ceil(outline.upper + kWidest), vec2(0.0f), limit))};
+}
+
 void Renderer::Parts::drawSkin(const Canvas& canvas, const FrameData& frame, const View& view) {
     frameBlock.upload(std::span<const FrameData>(&frame, 1));
     mirror.bind();
@@ -223,20 +243,12 @@ void Renderer::Parts::drawSkin(const Canvas& canvas, const FrameData& frame, con
     const vec4 background(view.background, 1.0f);
     glClearBufferfv(GL_COLOR, 0, &background.x);
     glClearBufferfv(GL_DEPTH, 0, &one);
-    if (view.showSkin) skinPass.draw(mirror);
-}
-
-SkinDepth Renderer::Parts::skinDepth(const Canvas& canvas, const Sight& sight, const Pelt& pelt) {
-    const Skin& skin = mirror.skin();
-    const float reach = std::max(pelt.reach() * mirror.longestHair(), pelt.clumpReach);
-    const Outline outline = outlineOf(sight, skin.center(), skin.radius + reach);
-    ivec2 lower(0), upper(canvas.size);
-    if (outline.known) {
-        const vec2 limit(canvas.size);
-        lower = ivec2(glm::clamp(glm::floor(outline.lower - kWidest), vec2(0.0f), limit));
-        upper = ivec2(glm::clamp(glm::ceil(outline.upper + kWidest), vec2(0.0f), limit));
-    }
-    return strandPass.begin(canvas.depth, frameBlock, canvas.size, lower, upper);
+    std::vector<Range> ranges;
+    if (view.showSkin)
+        ranges = view.culls ? inView(mirror.patches(), sightOf(frame)) : allOf(mirror.patches());
+    stats.trianglesDrawn = 0;
+    for (const Range& range : ranges) stats.trianglesDrawn += range.count;
+    skinPass.draw(mirror, ranges, view.overlay != Overlay::none);
 }
 
 // The detail that is asked for, or as much of it as fits the time.
@@ -272,10 +284,13 @@ Sample Renderer::Parts::draw(const Document& document, const View& view, const C
     const Pelt pelt = peltOf(document.fur, frame.coats, frame.overWidth, frame.underWidth,
                              document.skin->area, mirror.longestHair());
     drawSkin(canvas, frame, view);
-    const SkinDepth depth = skinDepth(canvas, sightOf(frame), pelt);
+    const Box box = boxOf(sightOf(frame), pelt);
+    const SkinDepth depth =
+        strandPass.begin(canvas.depth, frameBlock, canvas.size, box.lower, box.upper);
     // The parts of a frame can only be told apart where each waits for the one before.
     const auto start = Clock::now();
     Sample drawn;
+    drawn.box = box;
     drawn.seen =
         lookAt(mirror.roots(), mirror.tufts(), pelt, sightOf(frame), view.culls ? &depth : nullptr);
     drawn.chosen = choose(frame, pelt, drawn.seen);
@@ -301,6 +316,7 @@ void Renderer::Parts::drawSample(const Document& document, const View& view) {
         return choice(view, frame, pelt, seen);
     };
     const Sample sample = draw(document, view, canvas, samples, choose);
+    if (samples == 0) begin(postPass, view, sample.box, canvas.size);
     if (!single) postPass.accumulate(canvas.color, samples == 0);
     ++samples;
     display(view);
@@ -327,7 +343,8 @@ void Renderer::Parts::drawCheck(const Document& document, const View& view) {
             return pelage::choose(mirror.roots(), seen, sightOf(frame), pelt,
                                   {.rule = Detail::Rule::all}, 0.0f, finenessOf(frame));
         };
-        draw(document, view, check->canvas, check->samples, choose);
+        const Sample sample = draw(document, view, check->canvas, check->samples, choose);
+        if (check->samples == 0) begin(check->post, view, sample.box, view.size);
         check->add();
         glFinish();
     }

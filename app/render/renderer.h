@@ -51,6 +51,7 @@ struct FrameStats {
     // Triangles near each other with their hair: all are drawn or left out for one of four reasons.
     std::size_t clusters = 0, clustersDrawn = 0, clustersOutside = 0, clustersHidden = 0,
                 clustersSmall = 0, clustersBald = 0;
+    std::size_t trianglesDrawn = 0;  // of the skin
     float deviation = 0.0f;     // pixels by which it is coarser to keep to its FLIP or its time
     float flip = 0.0f;          // where one is asked for: the error (fidelity.h), as reckoned
     bool flipMeasured = false;  // or as measured, once the picture is complete
