@@ -13,6 +13,7 @@ namespace pelage {
 namespace {
 
 constexpr double kRest = 0.15;             // s without change until the picture converges
+constexpr double kPatience = 0.25;         // s of a frame, for the error of a picture at rest
 constexpr float kAccuracyHeight = 222.0f;  // of the panel, units of the design
 
 bool asking(const App& app) {
@@ -75,6 +76,7 @@ void drawPicture(App& app, Renderer& renderer, FrameKeys& keys, double now, bool
 
     const Viewport& viewport = app.viewport;
     View view = viewAtRest(app);
+    view.patience = kPatience;
     if (moving) {
         view.detail.milliseconds = app.session.view.detail.milliseconds;
         view.samples = 1;

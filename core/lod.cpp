@@ -181,7 +181,9 @@ InSight lookAt(const Roots& roots, std::span<const Tuft> tufts, const Pelt& pelt
 Fineness finenessOf(const Detail& detail, float deviation, const Fineness& otherwise) {
     if (detail.rule == Detail::Rule::pixels)
         return {kMostSegments, std::max(detail.limit, deviation), true};
-    if (!(deviation > 0.0f)) return otherwise;
+    // Pictures get as close to those of all hairs as is asked for.
+    const bool approaches = detail.rule == Detail::Rule::flip;
+    if (!(deviation > (approaches ? otherwise.tolerance : 0.0f))) return otherwise;
     return {otherwise.segments, std::max(otherwise.tolerance, deviation), true};
 }
 

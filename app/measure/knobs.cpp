@@ -24,6 +24,13 @@ void turnPixels(std::size_t value, Fur&, View& view) {
     view.detail = {Detail::Rule::pixels, kPixels[value], 0.0f};
 }
 
+constexpr std::array kFlipNames = {"0.1", "0.05", "0.02"};
+constexpr std::array kFlips = {0.1f, 0.05f, 0.02f};
+
+void turnFlip(std::size_t value, Fur&, View& view) {
+    view.detail = {Detail::Rule::flip, kFlips[value], 0.0f};
+}
+
 void setStyle(Fur& fur, uint style) { fur.over.style = fur.under.style = style; }
 
 constexpr std::array kSegmentNames = {"1", "2", "4", "8", "16"};
@@ -67,6 +74,8 @@ constexpr std::array kTechniques = {
               "hairs thinner than a pixel, which fewer and wider ones stand for"},
     Technique{"detail", "deviation that is asked for", true, kPixelNames, turnPixels,
               "hairs thinner than that, which fewer and wider ones stand for"},
+    Technique{"flip", "FLIP against all hairs that is asked for", true, kFlipNames, turnFlip,
+              "what the eye hardly sees: hairs that fewer and wider ones stand for"},
     Technique{"segments", "segments of a polyline", true, kSegmentNames, turnSegments,
               "edges of pixels beyond 16 samples"},
     Technique{

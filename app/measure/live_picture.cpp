@@ -1,4 +1,4 @@
-// live_picture.cpp -- frames that are timed, the picture over white, the picture over black.
+// live_picture.cpp -- the picture over black, the picture over white, frames that are timed.
 #include "app/measure/live_picture.h"
 
 #include <algorithm>
@@ -22,23 +22,31 @@ void findCoverage(Image& onBlack, const Image& onWhite) {
 }  // namespace
 
 std::optional<LivePicture> LiveDrawing::step(Renderer& renderer, const Document& document) {
-    if (turn_ <= timed_) {
-        const double ms = timeFrame(renderer, document, view_, turn_);
-        if (turn_ > 0) picture_.times.push_back(ms);  // the first one uploads the document
-        ++turn_;
+    if (!complete_) {
+        drawPicture(renderer, document);
         return std::nullopt;
     }
-    view_.background = vec3(onWhite_ ? 0.0f : 1.0f);
-    picture_.stats = renderer.draw(document, view_);
-    if (!picture_.stats.finished) return std::nullopt;
-    Image image = linearImage({view_.size, renderer.pixels()});
-    if (!onWhite_) {
-        onWhite_ = std::move(image);
-        return std::nullopt;
-    }
-    findCoverage(image, *onWhite_);
-    picture_.image = std::move(image);
+    const double ms = timeFrame(renderer, document, view_, turn_++);
+    if (turn_ > 1) picture_.times.push_back(ms);  // the first one is of another view
+    if (turn_ <= timed_) return std::nullopt;
     return std::move(picture_);
+}
+
+// Over black, which settles what the detail comes to, then over white with the same hairs.
+void LiveDrawing::drawPicture(Renderer& renderer, const Document& document) {
+    const bool black = picture_.image.pixels.empty();
+    view_.background = vec3(black ? 0.0f : 1.0f);
+    if (!black) view_.patience = 0.0;
+    const FrameStats stats = renderer.draw(document, view_);
+    if (!stats.finished) return;
+    Image image = linearImage({view_.size, renderer.pixels()});
+    if (black) {
+        picture_.image = std::move(image);
+        picture_.stats = stats;
+        return;
+    }
+    findCoverage(picture_.image, image);
+    complete_ = true;
 }
 
 }  // namespace pelage

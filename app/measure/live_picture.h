@@ -17,7 +17,7 @@ struct LivePicture {
 
 class LiveDrawing {
 public:
-    // What the view shows but for its background, after so many frames that are only timed.
+    // What the view shows but for its background, before so many frames that are only timed.
     LiveDrawing(const View& view, int timed) : view_(view), timed_(timed) {}
 
     // Draws one more frame; the picture with the last of them, nothing before. The document has to
@@ -25,9 +25,11 @@ public:
     std::optional<LivePicture> step(Renderer& renderer, const Document& document);
 
 private:
+    void drawPicture(Renderer& renderer, const Document& document);
+
     View view_;
     int timed_, turn_ = 0;
-    std::optional<Image> onWhite_;
+    bool complete_ = false;  // the picture, with its coverage
     LivePicture picture_;
 };
 

@@ -9,7 +9,7 @@ namespace pelage {
 
 FrameStats drawFinished(Renderer& renderer, const Document& document, const View& view) {
     FrameStats stats = renderer.draw(document, view);
-    for (int i = 1; i < view.samples && !stats.finished; ++i) stats = renderer.draw(document, view);
+    while (!stats.finished) stats = renderer.draw(document, view);
     return stats;
 }
 
