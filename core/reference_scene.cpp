@@ -29,7 +29,6 @@ uint segmentsOf(const Fur& fur) {
 
 Document standing(Document document, const std::shared_ptr<const Skin>& posed) {
     if (posed) document.skin = posed;
-    document.fur.over.style = document.fur.under.style = kStylePolyline;
     return document;
 }
 

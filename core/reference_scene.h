@@ -13,7 +13,7 @@
 namespace pelage {
 
 struct TracedDocument {
-    Document document;  // as it stands, both coats as polylines
+    Document document;  // as it stands
     Roots roots;
     Growth growth;
     BaseColor colors;

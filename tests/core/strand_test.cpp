@@ -99,8 +99,8 @@ TEST(Strand, HorizontalHairsDroopAtMostToFortyFiveDegrees) {
 }
 
 TEST(Strand, StartsOnTheSkinTowardsTheWeightlessDirection) {
-    const Strand s = bendStrand(vec3(1, 2, 3), kUp, vec3(1, 0, 0), 0.1f, coatWith(0.2f, 0.5f, 0),
-                                9u, kDown);
+    const Strand s =
+        bendStrand(vec3(1, 2, 3), kUp, vec3(1, 0, 0), 0.1f, coatWith(0.2f, 0.5f, 0), 9u, kDown);
     EXPECT_EQ(strandPoint(s, 0.0f), vec3(1, 2, 3));
     EXPECT_NEAR(glm::dot(strandTangent(s, 0.0f), s.weightless), 1.0f, 1e-6f);
 }
@@ -150,7 +150,8 @@ TEST(Strand, ALengthThatIsNoneGivesNoHair) {
         FurVertex fur{};
         fur.furLength = furLength;
         fur.density = 1.0f;
-        const Strand s = growStrand(Root{0, 0, 1, 0}, a, b, c, fur, fur, fur, defaultFur(), 1e-4f, 0.0f);
+        const Strand s =
+            growStrand(Root{0, 0, 1, 0}, a, b, c, fur, fur, fur, defaultFur(), 1e-4f, 0.0f);
         EXPECT_EQ(s.spineLength, 0.0f) << furLength;
         EXPECT_TRUE(finite(strandPoint(s, 1.0f))) << furLength;
     }
@@ -163,7 +164,8 @@ TEST(Strand, DensityThatIsNoneKeepsNoHair) {
         FurVertex fur{};
         fur.furLength = 1.0f;
         fur.density = density;
-        const Strand s = growStrand(Root{0, 0, 1, 0}, a, b, c, fur, fur, fur, defaultFur(), 1e-4f, 0.0f);
+        const Strand s =
+            growStrand(Root{0, 0, 1, 0}, a, b, c, fur, fur, fur, defaultFur(), 1e-4f, 0.0f);
         EXPECT_EQ(s.keep, 0.0f) << density;
     }
 }
@@ -261,12 +263,34 @@ TEST(Fiber, HighlightPeaksWhereTheMirrorWouldBe) {
     }
 }
 
+TEST(Fiber, MeanFacingIsTheMeanOverTheWidthOfARoundHair) {
+    Stream random{5};
+    constexpr int kSteps = 4000;
+    for (int i = 0; i < 200; ++i) {
+        const vec3 tangent = random.direction(), l = random.direction();
+        const vec3 middle = safeUnit(cross(tangent, random.direction()), anyTangent(tangent));
+        const vec3 right = cross(middle, tangent);
+        double sum = 0.0;
+        for (int k = 0; k < kSteps; ++k) {
+            const float x = (static_cast<float>(k) + 0.5f) * (2.0f / kSteps) - 1.0f;
+            const vec3 normal = x * right + std::sqrt(1.0f - x * x) * middle;
+            sum += static_cast<double>(std::max(0.0f, dot(normal, l)));
+        }
+        EXPECT_NEAR(meanFacing(tangent, middle, l), sum / kSteps, 1e-4);
+    }
+    const vec3 along(1, 0, 0), up(0, 1, 0);
+    EXPECT_NEAR(meanFacing(along, up, up), 0.25f * 3.1415927f, 1e-6f);
+    EXPECT_NEAR(meanFacing(along, up, -up), 0.0f, 1e-6f);
+    EXPECT_EQ(meanFacing(along, up, along), 0.0f);
+}
+
 TEST(Fiber, IsFiniteAndNotNegativeInEveryDirection) {
     Stream random{3};
     const Fur fur = defaultFur();
     for (int i = 0; i < 20000; ++i) {
-        const Strand s = bendStrand(vec3(0), random.direction(), random.direction(), 0.1f, fur.over,
-                                    pcg(static_cast<uint>(i)), kDown);
+        Strand s = bendStrand(vec3(0), random.direction(), random.direction(), 0.1f, fur.over,
+                              pcg(static_cast<uint>(i)), kDown);
+        s.style = static_cast<uint>(i % 5);
         Light light{};
         light.toKey = i % 7 == 0 ? strandTangent(s, 0.5f) : random.direction();
         light.key = 2.0f;
