@@ -206,17 +206,31 @@ Shade shadeAt(Strand s, bool over, Look look, float t) {
     return shade;
 }
 
+// What is missing in the middle of two points, four times.
+Shade bowOf(Shade a, Shade middle, Shade b) {
+    return Shade(4.0 * middle.even - 2.0 * (a.even + b.even),
+                 4.0 * middle.diffuse - 2.0 * (a.diffuse + b.diffuse),
+                 4.0 * middle.specular - 2.0 * (a.specular + b.specular), vec2(0.0), vec2(0.0));
+}
+
 // Radiance so far along from one point to another, x half widths to the right.
-vec3 colorAcross(Shade a, Shade b, float along, float x) {
+vec3 colorAcross(Shade a, Shade b, Shade bow, float along, float x) {
     vec2 normal = vec2(x, sqrt(max(1.0 - x * x, 0.0)));
     float key = max(0.0, dot(normal, mix(a.key, b.key, along)));
     float halfway = max(0.0, dot(normal, mix(a.halfway, b.halfway, along)));
-    return mix(a.even, b.even, along) + key * mix(a.diffuse, b.diffuse, along) +
-           halfway * mix(a.specular, b.specular, along);
+    float bent = along * (1.0 - along);
+    return max(vec3(0.0), mix(a.even, b.even, along) + bent * bow.even) +
+           key * max(vec3(0.0), mix(a.diffuse, b.diffuse, along) + bent * bow.diffuse) +
+           halfway * max(vec3(0.0), mix(a.specular, b.specular, along) + bent * bow.specular);
 }
 #else
 #define Shade vec3
 #define shadeAt wholeColor
+vec3 bowOf(vec3 a, vec3 middle, vec3 b) { return 4.0 * middle - 2.0 * (a + b); }
+
+vec3 colorAcross(vec3 a, vec3 b, vec3 bow, float along, float x) {
+    return max(vec3(0.0), mix(a, b, along) + along * (1.0 - along) * bow);
+}
 #endif
 #endif
 
@@ -374,7 +388,8 @@ void main() {
     float relative = over ? fur.over.relativeLength : fur.under.relativeLength;
     look.painted = s.spineLength / max(relative, 1e-6);
     look.wide = points[0].w > kRoundFrom;
-    // Color varies slowly along a hair: every second point is enough.
+    // Color varies slowly along a hair: every second point is enough, and a parabola where those are
+    // far apart.
 #if STYLE == 3
     Shade lower = meanColor(s, over, look, taper);
     Shade upper = lower;
@@ -382,6 +397,7 @@ void main() {
     Shade upper = shadeAt(s, over, look, 0.0);
     Shade lower = upper;
 #endif
+    Shade bow = bowOf(upper, upper, upper);
 #endif
 
     for (uint i = 0u; i < segments; ++i) {
@@ -393,7 +409,10 @@ void main() {
 #else
         if ((i & 1u) == 0u) {
             lower = upper;
-            upper = shadeAt(s, over, look, min(float(i + 2u) * dt, 1.0));
+            float next = min(float(i + 2u) * dt, 1.0);
+            upper = shadeAt(s, over, look, next);
+            if (segments < 8u)
+                bow = bowOf(lower, shadeAt(s, over, look, 0.5 * (float(i) * dt + next)), upper);
             if (i + 1u == segments) toB = 1.0;  // the last pair of an odd number is half as long
         }
 #endif
@@ -426,11 +445,9 @@ void main() {
         int sizeV = steep ? frame.size.x : frame.size.y;
         int first = max(int(ceil(max(min(u0, u1), -1.0) - 0.5)), 0);
         int last = min(int(ceil(min(max(u0, u1), 1e6) - 0.5)), sizeU);
-#if STYLE == 2 || STYLE == 4
         // The right of the hair lies towards growing v where it runs up, and against it where it
         // runs to the right.
         float side = (lengthU < 0.0) == steep ? -1.0 : 1.0;
-#endif
 #if STYLE == 4
         ringB = ringAt(s, min(float(i + 1u) * dt, 1.0), eye);
         for (uint k = 0u; k <= bands; ++k) {
@@ -480,12 +497,8 @@ void main() {
 #else
                     if (keys[pixel] == key) {
                         float along = mix(fromA, toB, f);
-#if STYLE == 2 || STYLE == 4
                         float x = clamp(side * (float(w) + 0.5 - v) / half_, -1.0, 1.0);
-                        vec3 color = colorAcross(lower, upper, along, x);
-#else
-                        vec3 color = mix(lower, upper, along);
-#endif
+                        vec3 color = colorAcross(lower, upper, bow, along, x);
                         imageStore(picture, place, vec4(color, 1.0));
                     }
 #endif
