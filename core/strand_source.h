@@ -8,7 +8,9 @@ using glm::abs, glm::acos, glm::ceil, glm::clamp, glm::cos, glm::cross, glm::dot
 inline vec4 rodTexel(uint i) { return rodTable()[i]; }
 constexpr bool kRods = true;
 
+#define precise  // as every operation of C++ is, compiled without fused ones
 #include "shaders/strand.glsl"
 
 #include "shaders/fiber.glsl"
+#undef precise
 // NOLINTEND

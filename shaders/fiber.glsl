@@ -2,7 +2,7 @@
 // Same dialect as strand.glsl.
 
 // Integral of the width of a hair of root width 1 from t to the tip.
-float widthAbove(float taper, float t) { return (1.0f - t) - 0.5f * taper * (1.0f - t * t); }
+float widthAbove(float taper, float t) { return (1.0f - t) * (1.0f - 0.5f * taper * (1.0f + t)); }
 
 // Optical depth, looking straight down, of the coat above a point at height t of a hair: the
 // width of all hairs above it per unit of area. hairsPerArea counts both coats at the painted

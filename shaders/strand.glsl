@@ -60,11 +60,13 @@ vec3 anyTangent(vec3 n) {
     return vec3(1.0f + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);
 }
 
-// Weights of the three corners from Root.bary; they add up to 1 and none is negative.
+// Weights of the three corners from Root.bary; they add up to 1 and none is negative. Precise, as all
+// that decides whether there is a hair: the same on every GPU, fused operations or not.
 vec3 baryWeights(uint bary) {
-    float a = float(bary & 65535u) * (1.0f / 65535.0f);
-    float b = float(bary >> 16u) * (1.0f / 65535.0f);
-    return vec3(a, b, max(0.0f, 1.0f - a - b));
+    precise float a = float(bary & 65535u) * (1.0f / 65535.0f);
+    precise float b = float(bary >> 16u) * (1.0f / 65535.0f);
+    precise float c = 1.0f - a - b;
+    return vec3(a, b, max(0.0f, c));
 }
 
 // Uniform in the unit ball. The largest of three uniform numbers is distributed like the radius.
@@ -246,13 +248,14 @@ float lengthAt(Root root, float a, float b, float c, Fur fur) {
     vec3 k = baryWeights(root.bary);
     float relative = isOvercoat(root.id, fur.share) ? fur.over.relativeLength
                                                     : fur.under.relativeLength;
-    return sanitizedLength(sanitizedLength(k.x * a + k.y * b + k.z * c) * relative);
+    precise float painted = k.x * a + k.y * b + k.z * c;
+    return sanitizedLength(sanitizedLength(painted) * relative);
 }
 
 // Largest rank at which the hair of a root is drawn: the painted density there, in [0,1].
 float keepAt(Root root, float a, float b, float c) {
     vec3 k = baryWeights(root.bary);
-    float painted = k.x * a + k.y * b + k.z * c;
+    precise float painted = k.x * a + k.y * b + k.z * c;
     return painted > 0.0f ? min(painted, 1.0f) : 0.0f;
 }
 

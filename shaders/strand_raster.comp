@@ -252,10 +252,9 @@ void main() {
     bool over = isOvercoat(root.id, fur.share);
     if ((coatsHere & (over ? 1u : 2u)) == 0u) return;
     uvec4 t = triangles[root.triangle];
-    vec3 weights = baryWeights(root.bary);
     vec3 density =
         vec3(furVertices[t.x].density, furVertices[t.y].density, furVertices[t.z].density);
-    float keep = clamp(dot(weights, density), 0.0, 1.0);
+    float keep = keepAt(root, density.x, density.y, density.z);
     float rank = rankOf(number - run.begin, run.phase, run.step);
     if (!(rank < keep * run.fade)) return;
 
@@ -382,7 +381,7 @@ void main() {
                      furVertices[t.z].furLength);
     if (frame.overlay == 4u) field = vec3(mask[t.x], mask[t.y], mask[t.z]);
     Look look;
-    look.base = colorAtRoot(root, weights, field);
+    look.base = colorAtRoot(root, baryWeights(root.bary), field);
     look.eye = eye;
     look.perArea = frame.hairsPerArea * keep;
     float relative = over ? fur.over.relativeLength : fur.under.relativeLength;

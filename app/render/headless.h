@@ -1,4 +1,4 @@
-// headless.h -- an OpenGL context without a window (EGL surfaceless).
+// headless.h -- an OpenGL context without a window: of a GPU where EGL lists one, else Mesa's.
 #pragma once
 
 namespace pelage {

@@ -13,6 +13,7 @@
 
 #include "bench_animal.h"
 #include "core/brush.h"
+#include "flank.h"
 
 namespace pelage::bench {
 namespace {
@@ -29,22 +30,6 @@ double median(std::vector<double> values, double share = 0.5) {
                     static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), at, values.end());
     return *at;
-}
-
-// Where a stroke along the flank meets the skin, at the height at which most of it does.
-std::vector<SkinHit> flank(const SkinQuery& query, float spacing) {
-    const Skin& skin = query.skin();
-    std::vector<SkinHit> most;
-    for (const float up : {0.0f, 0.05f, 0.1f, 0.15f, -0.05f, -0.1f}) {
-        std::vector<SkinHit> hits;
-        for (int i = 0; i < 24; ++i) {
-            const vec3 from(skin.upper.x + skin.size(), skin.center().y + up * skin.size(),
-                            skin.center().z + (static_cast<float>(i) - 12.0f) * spacing);
-            if (const auto hit = query.cast(from, {-1.0f, 0.0f, 0.0f})) hits.push_back(*hit);
-        }
-        if (hits.size() > most.size()) most = std::move(hits);
-    }
-    return most;
 }
 
 void BM_Dab(benchmark::State& state) {

@@ -1,14 +1,16 @@
 // parity_gltest.cpp -- the GPU and the CPU agree about every hair.
 //
 // Both compile strand.glsl and fiber.glsl. Drivers may round sqrt, sin, pow and exp differently,
-// so positions and colors agree within tolerances; decisions made from them do not depend on such
-// functions and agree bit for bit.
+// and fuse multiplications with additions, so positions and colors agree within tolerances: a
+// little, and some times what the last bits of the input change in a hair (one that stands upright
+// and is floppy falls elsewhere for less). Decisions are precise and agree bit for bit.
 #include <gtest/gtest.h>
 
 #include <array>
 #include <bit>
 #include <cstdio>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -216,6 +218,25 @@ std::vector<Result> onGpu(const gl::ProgramName& program, const Scene& scene, co
     return test::valuesOf<Result>(results.name(), scene.roots.size());
 }
 
+// The scene in which the last bits of every number are others: of places (about 1 m) as a sum of
+// three corners loses them, which gusts of .1 mm magnify; of directions as a GPU's sine does.
+Scene nudged(Scene scene, uint seed) {
+    test::Draws draws(seed);
+    const auto nudge = [&](float& x, float by) {
+        x *= 1.0f + 3e-7f * draws.in(-0.5f, 0.5f);
+        x += by * draws.in(-1.0f, 1.0f);
+    };
+    for (SkinVertex& v : scene.skin) {
+        for (int k = 0; k < 3; ++k) nudge(v.position[k], 2e-7f);
+        for (int k = 0; k < 3; ++k) nudge(v.normal[k], 1e-6f);
+    }
+    for (FurVertex& v : scene.fur) {
+        for (int k = 0; k < 3; ++k) nudge(v.direction[k], 1e-6f);
+        nudge(v.furLength, 0.0f);
+    }
+    return scene;
+}
+
 bool finite(const vec4& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
 }
@@ -231,14 +252,25 @@ float allowedOf(const Strand& s) {
     return 2e-5f * size + 1e-6f + 2e-6f * (s.curl + s.frizz) / bend;
 }
 
-// The largest differences over all hairs.
+double apart(vec4 a, vec4 b) { return static_cast<double>(glm::distance(vec3(a), vec3(b))); }
+
+// How far a hair may move, in times of what nudging its input moves it.
+constexpr double kSways = 8.0;
+
+// What tangents and colors may differ by, colors relative to 1 and themselves.
+struct Allowed {
+    double tangent, color;
+};
+
+// The largest differences over all hairs, as shares of what is allowed.
 struct Differences {
-    double point = 0.0;  // share of what is allowed
-    double tangent = 0.0, normal = 0.0, color = 0.0, depth = 0.0;
+    double point = 0.0, tangent = 0.0, color = 0.0, depth = 0.0;
     std::size_t hairs = 0, decisions = 0, notFinite = 0;
     std::size_t points = 0;  // hairs whose points differ by more than is allowed
 
-    void compare(const Result& gpu, const Result& cpu) {
+    // `sways` are the hair of the CPU from scenes that are nudged.
+    void compare(const Result& gpu, const Result& cpu, std::span<const Result> sways,
+                 const Allowed& allowed) {
         ++hairs;
         const auto bits = [](float x) { return std::bit_cast<uint>(x); };
         decisions += gpu.hash != cpu.hash || gpu.id != cpu.id || gpu.over != cpu.over ||
@@ -246,22 +278,22 @@ struct Differences {
                      bits(gpu.strand.keep) != bits(cpu.strand.keep) ||
                      bits(gpu.weights.w) != bits(cpu.weights.w) || gpu.weights != cpu.weights ||
                      (gpu.strand.spineLength > 0.0f) != (cpu.strand.spineLength > 0.0f);
-        const float allowed = allowedOf(cpu.strand);
         double worst = 0.0;
         for (std::size_t k = 0; k < 4; ++k) {
             for (const Result* r : {&gpu, &cpu})
                 notFinite += !finite(r->points[k]) || !finite(r->tangents[k]) ||
                              !finite(r->normals[k]) || !finite(r->colors[k]);
-            const auto apart = [](vec4 a, vec4 b) {
-                return static_cast<double>(glm::distance(vec3(a), vec3(b)));
+            const auto share = [&](std::array<vec4, 4> Result::*of, double least) {
+                double sway = 0.0;
+                for (const Result& r : sways)
+                    sway = std::max(sway, apart((r.*of)[k], (cpu.*of)[k]));
+                return apart((gpu.*of)[k], (cpu.*of)[k]) / (least + kSways * sway);
             };
             worst =
-                std::max(worst, apart(gpu.points[k], cpu.points[k]) / static_cast<double>(allowed));
-            tangent = std::max(tangent, apart(gpu.tangents[k], cpu.tangents[k]));
-            normal = std::max(normal, apart(gpu.normals[k], cpu.normals[k]));
-            color =
-                std::max(color, apart(gpu.colors[k], cpu.colors[k]) /
-                                    (1.0 + static_cast<double>(glm::length(vec3(cpu.colors[k])))));
+                std::max(worst, share(&Result::points, static_cast<double>(allowedOf(cpu.strand))));
+            tangent = std::max(tangent, share(&Result::tangents, allowed.tangent));
+            const double bright = 1.0 + static_cast<double>(glm::length(vec3(cpu.colors[k])));
+            color = std::max(color, share(&Result::colors, allowed.color * bright));
             depth =
                 std::max(depth, static_cast<double>(std::abs(gpu.colors[k].w - cpu.colors[k].w) /
                                                     (1.0f + std::abs(cpu.colors[k].w))));
@@ -271,7 +303,7 @@ struct Differences {
     }
 };
 
-Differences differences(uint droop, bool shaped) {
+void differences(uint droop, bool shaped, const Allowed& allowed) {
     const std::vector<std::string> defines(droop == kDroopElastica ? 1 : 0, "RODS");
     const gl::ProgramName program = test::computeProgram(
         test::shaderHead({"types.glsl", "strand.glsl", "fiber.glsl"}, defines) + kShader);
@@ -279,38 +311,36 @@ Differences differences(uint droop, bool shaped) {
     Differences d;
     for (uint seed = 1; seed <= 12; ++seed) {
         const Scene scene = randomScene(seed);
+        const std::array<Scene, 2> others = {nudged(scene, 2 * seed), nudged(scene, 2 * seed + 1)};
         const Fur fur = randomFur(seed, droop, shaped);
         const std::vector<Result> gpu = onGpu(program, scene, fur, light);
-        for (uint i = 0; i < kHairs; ++i) d.compare(gpu[i], onCpu(scene, fur, light, i));
+        for (uint i = 0; i < kHairs; ++i) {
+            const std::array<Result, 2> sways = {onCpu(others[0], fur, light, i),
+                                                 onCpu(others[1], fur, light, i)};
+            d.compare(gpu[i], onCpu(scene, fur, light, i), sways, allowed);
+        }
     }
     std::printf(
-        "%zu hairs: points %.3g of what is allowed (%zu hairs beyond), tangents %.3g, normals "
-        "%.3g, "
-        "colors %.3g, depths %.3g\n",
-        d.hairs, d.point, d.points, d.tangent, d.normal, d.color, d.depth);
+        "%zu hairs, of what is allowed: points %.3g (%zu hairs beyond), tangents %.3g, "
+        "colors %.3g; depths %.3g\n",
+        d.hairs, d.point, d.points, d.tangent, d.color, d.depth);
     EXPECT_GE(d.hairs, 50000u);
     EXPECT_EQ(d.decisions, 0u);
     EXPECT_EQ(d.notFinite, 0u);
     EXPECT_LE(d.point, 1.0);
+    EXPECT_LE(d.tangent, 1.0);
+    EXPECT_LE(d.color, 1.0);
     EXPECT_LE(d.depth, 1e-5);
-    return d;
 }
 
-TEST(Parity, GpuAndCpuAgreeAboutEveryHair) {
-    const Differences d = differences(kDroopPaper, false);
-    EXPECT_LE(d.tangent, 1e-5);
-    EXPECT_LE(d.color, 2e-3);
-}
+TEST(Parity, GpuAndCpuAgreeAboutEveryHair) { differences(kDroopPaper, false, {1e-5, 2e-3}); }
 
-TEST(Parity, GpuAndCpuAgreeAboutEveryRod) {
-    const Differences d = differences(kDroopElastica, false);
-    EXPECT_LE(d.tangent, 1e-4);
-    EXPECT_LE(d.color, 2e-3);
-}
+TEST(Parity, GpuAndCpuAgreeAboutEveryRod) { differences(kDroopElastica, false, {1e-4, 2e-3}); }
 
+// A tangent of frizz that is as steep as it may be is known badly.
 TEST(Parity, GpuAndCpuAgreeAboutClumpsCurlsAndFrizz) {
-    differences(kDroopPaper, true);
-    differences(kDroopElastica, true);
+    differences(kDroopPaper, true, {5e-3, 5e-3});
+    differences(kDroopElastica, true, {5e-3, 5e-3});
 }
 
 }  // namespace
