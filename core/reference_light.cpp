@@ -53,7 +53,7 @@ vec3 hairRadiance(const TracedDocument& scene, const ReferenceView& view, const 
     const Fur& fur = growth.fur;
     const Root& root = growth.roots.roots[scene.rootOf[hit.number]];
     Strand s = grownStrand(growth, scene.rootOf[hit.number]);
-    if (view.style) s.style = *view.style;
+    s.style = view.style.value_or(s.coat == 0u ? scene.overStyle : scene.underStyle);
     const Coat& coat = s.coat == 0u ? fur.over : fur.under;
     const Corners corners{growth.skin.triangles[root.triangle], baryWeights(root.bary)};
     const vec3 tint = corners.mixed([&](uint v) { return growth.painted[v].tint; });

@@ -106,9 +106,6 @@ vec3 radianceOf(FiberLight f, vec3 shading, vec3 toKey) {
     return radianceFacing(f, max(0.0f, dot(shading, toKey)), max(0.0f, dot(shading, f.halfway)));
 }
 
-// Hair of these styles is shaded as round across its width, that of the others as a thin line.
-bool isRound(uint style) { return style == kStyleRibbon || style == kStyleTube; }
-
 // The unit normal by which a side of a hair is shaded that faces `side`, unit and across the hair.
 // Of a ribbon it is turned about the hair by its twist.
 vec3 sideNormal(Strand s, vec3 tangent, vec3 side) {
@@ -126,12 +123,17 @@ float meanFacing(vec3 tangent, vec3 middle, vec3 l) {
     return 0.25f * across * ((3.1415927f - angleOf(c, s)) * c + s);
 }
 
-// Radiance towards toEye (unit) at t of a hair too thin to tell its sides apart, under a coat of
-// optical depth `depth`.
+// Radiance towards toEye (unit) at t of a thin line, under a coat of optical depth `depth`.
 vec3 fiberRadiance(Strand s, Coat coat, Light light, vec3 base, float t, vec3 toEye, float depth) {
     vec3 tangent = strandTangent(s, t);
     FiberLight f = fiberLight(s, coat, light, base, t, tangent, toEye, depth);
-    if (!isRound(s.style)) return radianceOf(f, strandNormal(s, tangent), light.toKey);
+    return radianceOf(f, strandNormal(s, tangent), light.toKey);
+}
+
+// The same of a ribbon or tube too narrow to tell its sides apart: the mean over its width.
+vec3 roundRadiance(Strand s, Coat coat, Light light, vec3 base, float t, vec3 toEye, float depth) {
+    vec3 tangent = strandTangent(s, t);
+    FiberLight f = fiberLight(s, coat, light, base, t, tangent, toEye, depth);
     vec3 side = safeUnit(toEye - dot(toEye, tangent) * tangent, s.binormal);
     vec3 middle = sideNormal(s, tangent, side);
     return radianceFacing(f, meanFacing(tangent, middle, light.toKey),

@@ -7,7 +7,7 @@
 // sub-pixel offsets this is the exact coverage, also of hairs far thinner than a pixel.
 //
 // There is one program for each STYLE (kStyle... of types.glsl) with and without SHAPED hair
-// (clumps, curls, frizz) and RODS, so that what a coat does not use costs nothing.
+// (clumps, curls, frizz), RODS and ROUND shading, so that what a coat does not use costs nothing.
 #include "frame.glsl"
 #include "strand.glsl"
 #include "fiber.glsl"
@@ -151,11 +151,17 @@ float depthAt(Strand s, Look look, float t) {
                        t);
 }
 
+#ifdef ROUND
+#define RADIANCE roundRadiance
+#else
+#define RADIANCE fiberRadiance
+#endif
+
 // Radiance of a hair at t, as a whole.
 vec3 wholeColor(Strand s, bool over, Look look, float t) {
     float depth = depthAt(s, look, t);
-    if (over) return fiberRadiance(s, fur.over, frame.light, look.base, t, look.eye, depth);
-    return fiberRadiance(s, fur.under, frame.light, look.base, t, look.eye, depth);
+    if (over) return RADIANCE(s, fur.over, frame.light, look.base, t, look.eye, depth);
+    return RADIANCE(s, fur.under, frame.light, look.base, t, look.eye, depth);
 }
 
 #if STYLE == 3
@@ -320,19 +326,26 @@ void main() {
     float tipWidth = points[segments].w;
     vec2 fronts = vec2(0.0);  // pixels at both ends of the hair that show its first and last point
     vec2 balls = vec2(0.0);   // pixels that have the width of its first and last point
-    vec3 along = vec3(1.0, 0.0, 0.0);  // direction of the hair in the window, z towards the eye
-    float narrowing = 0.0;             // from pixel to pixel
+    float pixelsPerZ = 1.0 / zPerPixel;
+    vec2 ahead = vec2(0.0);  // unit, of the hair in the window
+    float sine = 0.0;        // of its angle with the view
+    float cosine = 0.0;
+    float narrowing = 0.0;   // from pixel to pixel
     for (uint i = 0u; i <= segments; ++i) {
         vec4 p = points[i];
         if (i < segments) {
             vec4 step = points[i + 1u] - p;
-            along = safeUnit(vec3(step.xy, step.z / zPerPixel), along);
-            narrowing = -step.w / max(length(step.xy), 1e-6);
+            float across = dot(step.xy, step.xy);
+            float towards = step.z * pixelsPerZ;
+            float perPixel = inversesqrt(max(across, 1e-12));
+            float perLength = inversesqrt(max(across + towards * towards, 1e-12));
+            ahead = perPixel * step.xy;
+            sine = across * perPixel * perLength;
+            cosine = towards * perLength;
+            narrowing = -step.w * perPixel;
         }
-        float sine = length(along.xy);
-        vec2 ahead = sine > 1e-6 ? along.xy / sine : vec2(1.0, 0.0);
         float front = bulge * p.w;
-        float back = front * along.z;
+        float back = front * cosine;
         if (i == 0u) {
             fronts.x = front - back;
             balls.x = back = front;
@@ -410,7 +423,8 @@ void main() {
             lower = upper;
             float next = min(float(i + 2u) * dt, 1.0);
             upper = shadeAt(s, over, look, next);
-            if (segments < 8u)
+            // A loop, because software runs what follows an if in any case.
+            for (uint k = segments; k < 8u; k = 8u)
                 bow = bowOf(lower, shadeAt(s, over, look, 0.5 * (float(i) * dt + next)), upper);
             if (i + 1u == segments) toB = 1.0;  // the last pair of an odd number is half as long
         }
@@ -425,19 +439,16 @@ void main() {
         float v0 = steep ? a.x : a.y;
         float v1 = steep ? b.x : b.y;
         float lengthU = u1 - u0;
-        float whole = max(length(b.xy - a.xy), 1e-3);
-        vec2 within = vec2(0.0, 1.0);  // from where to where along it the hair moves on
-        vec2 narrows = vec2(0.0, 1.0);  // and changes its width
-        if (i == 0u) {
-            within.x = fronts.x / whole;
-            narrows.x = balls.x / whole;
+        vec2 moves = vec2(0.0, 1.0);    // where the hair moves on: from, and how fast
+        vec2 narrows = vec2(0.0, 1.0);  // and where it changes its width
+        if (i == 0u || i + 1u == segments) {
+            float whole = max(length(b.xy - a.xy), 1e-3);
+            vec2 first = i == 0u ? vec2(fronts.x, balls.x) / whole : vec2(0.0);
+            vec2 last = i + 1u == segments ? vec2(fronts.y, balls.y) / whole : vec2(0.0);
+            vec2 fast = 1.0 / max(1.0 - first - last, 1e-3);
+            moves = vec2(first.x, fast.x);
+            narrows = vec2(first.y, fast.y);
         }
-        if (i + 1u == segments) {
-            within.y -= fronts.y / whole;
-            narrows.y -= balls.y / whole;
-        }
-        float move = 1.0 / max(within.y - within.x, 1e-3);
-        float narrow = 1.0 / max(narrows.y - narrows.x, 1e-3);
         float slope = (v1 - v0) / (abs(lengthU) < 1e-6 ? 1e-6 : lengthU);
         float stretch = 0.5 * sqrt(1.0 + min(slope * slope, 1.0));
         int sizeU = steep ? frame.size.y : frame.size.x;
@@ -465,9 +476,9 @@ void main() {
 #endif
             for (int u = first; u < last; ++u) {
                 float at = (float(u) + 0.5 - u0) / lengthU;
-                float f = clamp((at - within.x) * move, 0.0, 1.0);
+                float f = clamp((at - moves.x) * moves.y, 0.0, 1.0);
                 float v = v0 + slope * (float(u) + 0.5 - u0);
-                float width = mix(a.w, b.w, clamp((at - narrows.x) * narrow, 0.0, 1.0));
+                float width = mix(a.w, b.w, clamp((at - narrows.x) * narrows.y, 0.0, 1.0));
                 float half_ = min(stretch * width, kWidestHalf);
                 float z = mix(a.z, b.z, f);
 #if STYLE == 2 || STYLE == 4

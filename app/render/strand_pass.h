@@ -71,7 +71,7 @@ private:
         uint coats;
         uint begin, end;  // numbers of hairs
     };
-    using Kind = std::tuple<uint, bool, bool>;  // style, whether it is shaped, whether it is rods
+    using Kind = std::tuple<uint, bool, bool, bool>;  // style; whether shaped, rods, round
     const Pair& programsOf(uint style, const Coat& coat);
     void addParts(std::vector<Part>& parts, const Fur& fur, uint coats, uint begin, uint end,
                   bool narrow);
