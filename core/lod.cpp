@@ -96,6 +96,12 @@ Outline outlineOf(const Sight& sight, vec3 center, float radius) {
     return outlineOf(sight, center, [=](vec3) { return radius; });
 }
 
+Outline outlineOf(const Sight& sight, vec3 lower, vec3 upper, float reach) {
+    const vec3 half = 0.5f * (upper - lower);
+    return outlineOf(sight, 0.5f * (lower + upper),
+                     [=](vec3 e) { return glm::dot(half, glm::abs(e)) + reach; });
+}
+
 SkinDepth::SkinDepth(ivec2 corner, int width, std::span<const float> strips) : corner_(corner) {
     if (width < 1 || strips.empty()) return;
     Level first{{(width + kTile - 1) / kTile, static_cast<int>(strips.size()) / width}, {}};

@@ -1,10 +1,11 @@
 // strand_raster.comp -- hairs to pixels, one invocation a hair, in two passes over the same code.
 //
 // The first pass (DEPTH_PASS) finds the nearest hair of each pixel with atomicMin on a 32-bit key;
-// the second walks the same pixels and stores the color where its key is the one that won. So each
-// pixel is written once, nothing per hair is kept between the passes, and 64-bit atomics are not
-// needed. A pixel belongs to a hair when its center lies inside the hair's outline: averaged over
-// sub-pixel offsets this is the exact coverage, also of hairs far thinner than a pixel.
+// the second walks the same pixels for the hairs that the skin does not hide, and stores the color
+// where its key is the one that won. So each pixel is written once, only the numbers of those hairs
+// are kept between the passes, and 64-bit atomics are not needed. A pixel belongs to a hair when its
+// center lies inside the hair's outline: averaged over sub-pixel offsets this is the exact coverage,
+// also of hairs far thinner than a pixel.
 //
 // There is one program for each STYLE (kStyle... of types.glsl) with and without SHAPED hair
 // (clumps, curls, frizz), RODS and ROUND shading, so that what a coat does not use costs nothing.
@@ -31,20 +32,27 @@ struct Run {     // a prefix of a cluster of roots
     uint pad0;
 };
 
-struct Group {  // of 32 hairs
-    uint run;   // of the first one
-    uint seen;  // bit i: the first pass found that hair i is not hidden
+struct List {   // of the hairs of one program that the first pass found not hidden
+    uint wide;   // groups of 32 that the second pass dispatches, in this and two more dimensions
+    uint high;
+    uint deep;
+    uint count;  // hairs
+    uint segments;
 };
 
 layout(std430, binding = 7) readonly buffer RootsBuffer { Root roots[]; };
 layout(std430, binding = 8) coherent buffer Keys { uint keys[]; };
 layout(std430, binding = 9) readonly buffer Runs { Run runs[]; };
-layout(std430, binding = 10) buffer Counters { uint drawn; uint drawnSegments; };
-layout(std430, binding = 12) buffer Groups { Group groups[]; };
+layout(std430, binding = 10) buffer Counters { List lists[]; };
+layout(std430, binding = 11) buffer Seen { uint seenHairs[]; };  // numbers, list after list
+layout(std430, binding = 12) readonly buffer Groups { uint groups[]; };  // run of the first of 32
 layout(binding = 1) uniform sampler2D skinDepth;
 layout(location = 0) uniform uint coatsHere;  // as frame.coats, of this program
+#ifdef DEPTH_PASS
 layout(location = 1) uniform uvec2 numbers;   // of the hairs: the first one, a multiple of 32, and
                                               // the one after the last
+#endif
+layout(location = 2) uniform uvec2 list;      // its number, and where it begins
 #ifndef DEPTH_PASS
 layout(std430, binding = 6) readonly buffer Mask { float mask[]; };
 layout(std430, binding = 13) readonly buffer SegmentOf { uint segmentOf[]; };
@@ -66,7 +74,20 @@ const uint kCorners = 2u;  // both edges
 // Mean height of a half disc in diameters, pi / 8: so far the front of a round hair stands before its
 // axis, and so far the ball at its end reaches beyond it.
 const float kMeanBulge = 0.3926991;
+const uint kMostWide = 65535u;  // groups in one dimension, as in strand_pass.cpp
 const float kWidestHalf = 24.0;  // pixels; a hair before the lens does not stall the frame
+
+#ifdef DEPTH_PASS
+// Only these are grown again: in full groups, so that no lane idles for a hair that is hidden.
+void keepSeen(uint number) {
+    uint place = atomicAdd(lists[list.x].count, 1u);
+    seenHairs[list.y + place] = number;
+    if (place % 32u != 0u) return;
+    uint group = place / 32u;
+    if (group < kMostWide) atomicAdd(lists[list.x].wide, 1u);
+    if (group % kMostWide == 0u) atomicAdd(lists[list.x].high, 1u);
+}
+#endif
 
 // Window position (pixels), depth, and width in pixels. In both kinds of projection clip.w is the
 // distance by which widths shrink.
@@ -241,14 +262,16 @@ vec3 colorAcross(vec3 a, vec3 b, vec3 bow, float along, float x) {
 #endif
 
 void main() {
-    uint group = numbers.x / 32u + gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-    uint lane = gl_LocalInvocationID.x;
-    uint number = 32u * group + lane;
+    uint place = 32u * (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) +
+                 gl_LocalInvocationID.x;
+#ifdef DEPTH_PASS
+    uint number = numbers.x + place;
     if (number >= numbers.y) return;
-#ifndef DEPTH_PASS
-    if ((groups[group].seen >> lane & 1u) == 0u) return;
+#else
+    if (place >= lists[list.x].count) return;
+    uint number = seenHairs[list.y + place];
 #endif
-    uint which = groups[group].run;
+    uint which = groups[number / 32u];
     while (number >= runs[which].end) ++which;
     Run run = runs[which];
     uint index = run.first + number - run.begin;
@@ -384,9 +407,8 @@ void main() {
 
 #ifdef DEPTH_PASS
     if (!seen) return;
-    atomicAdd(drawn, 1u);
-    atomicAdd(drawnSegments, segments);
-    atomicOr(groups[group].seen, 1u << lane);
+    atomicAdd(lists[list.x].segments, segments);
+    keepSeen(number);
 #else
     vec3 field = density;
     if (frame.overlay == 1u)

@@ -13,6 +13,9 @@ class PostPass {
 public:
     PostPass();
     void resize(ivec2 size);
+    // Begins a picture that is `background` (linear RGB) outside of a box, whose corners are given
+    // in sizes of the picture.
+    void begin(vec3 background, vec2 lower, vec2 upper);
     // Adds one sample; the first one of a picture replaces what was there.
     void accumulate(const gl::Texture& sample, bool first);
     // The mean of the accumulated samples, or `only` where there was a single one; sRGB-encoded,
@@ -27,8 +30,11 @@ public:
 
 private:
     vec2 pixel() const { return 1.0f / vec2(size_); }
+    void drawBox() const;
 
     ivec2 size_{0};
+    vec4 background_{0.0f, 0.0f, 0.0f, 1.0f};  // sRGB-encoded
+    ivec2 lower_{0}, upper_{0};                // pixels
     Program accumulate_, display_, lines_;
     gl::VertexArray vertexArray_;
     gl::Texture sum_, picture_;

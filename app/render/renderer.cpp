@@ -82,6 +82,10 @@ struct Canvas {
 constexpr float kBlurFrom = 4.0f, kSharpFrom = 0.5f;
 constexpr float kWidest = 26.0f;  // pixels from the middle of a hair to its edge, and some
 
+struct Box {  // pixels
+    ivec2 lower{0}, upper{0};
+};
+
 Sight sightOf(const FrameData& frame) {
     return {frame.viewProjection,     frame.eye, frame.forward, frame.pixelsPerMetre,
             frame.perspective > 0.0f, frame.size};
@@ -99,7 +103,7 @@ void requireCapabilities() {
         const char* name;
     } limits[] = {
         {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 16, "storage buffers"},
-        {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 13, "storage buffers in a compute shader"},
+        {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 15, "storage buffers in a compute shader"},
         {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, 6, "storage buffers in a vertex shader"},
         {GL_MAX_COMPUTE_IMAGE_UNIFORMS, 1, "images in a compute shader"},
     };
@@ -151,7 +155,7 @@ struct Renderer::Parts {
 
     FrameData frameData(const Document& document, const View& view, int sample, ivec2 pixels) const;
     void drawSkin(const Canvas& canvas, const FrameData& frame, const View& view);
-    SkinDepth skinDepth(const Canvas& canvas, const Sight& sight, const Pelt& pelt);
+    Box boxOf(const Sight& sight, const Pelt& pelt) const;
     Choice choice(const View& view, const FrameData& frame, const Pelt& pelt, const InSight& seen);
     void drawSample(const Document& document, const View& view);
     void count(const InSight& seen, const Choice& chosen);
@@ -198,6 +202,17 @@ FrameData Renderer::Parts::frameData(const Document& document, const View& view,
     return frame;
 }
 
+// The pixels that skin and hair may reach.
+Box Renderer::Parts::boxOf(const Sight& sight, const Pelt& pelt) const {
+    const Skin& skin = mirror.skin();
+    const float reach = std::max(pelt.reach() * mirror.longestHair(), pelt.clumpReach);
+    const Outline outline = outlineOf(sight, skin.lower, skin.upper, reach);
+    if (!outline.known) return {ivec2(0), sight.size};
+    const vec2 limit(sight.size);
+    return {ivec2(glm::clamp(glm::floor(outline.lower - kWidest), vec2(0.0f), limit)),
+            ivec2(glm::clamp(glm::ceil(outline.upper + kWidest), vec2(0.0f), limit))};
+}
+
 void Renderer::Parts::drawSkin(const Canvas& canvas, const FrameData& frame, const View& view) {
     frameBlock.upload(std::span<const FrameData>(&frame, 1));
     mirror.bind();
@@ -210,20 +225,12 @@ void Renderer::Parts::drawSkin(const Canvas& canvas, const FrameData& frame, con
     const vec4 background(view.background, 1.0f);
     glClearBufferfv(GL_COLOR, 0, &background.x);
     glClearBufferfv(GL_DEPTH, 0, &one);
-    if (view.showSkin) skinPass.draw(mirror);
-}
-
-SkinDepth Renderer::Parts::skinDepth(const Canvas& canvas, const Sight& sight, const Pelt& pelt) {
-    const Skin& skin = mirror.skin();
-    const float reach = std::max(pelt.reach() * mirror.longestHair(), pelt.clumpReach);
-    const Outline outline = outlineOf(sight, skin.center(), skin.radius + reach);
-    ivec2 lower(0), upper(canvas.size);
-    if (outline.known) {
-        const vec2 limit(canvas.size);
-        lower = ivec2(glm::clamp(glm::floor(outline.lower - kWidest), vec2(0.0f), limit));
-        upper = ivec2(glm::clamp(glm::ceil(outline.upper + kWidest), vec2(0.0f), limit));
-    }
-    return strandPass.begin(canvas.depth, frameBlock, canvas.size, lower, upper);
+    std::vector<Range> ranges;
+    if (view.showSkin)
+        ranges = view.culls ? inView(mirror.patches(), sightOf(frame)) : allOf(mirror.patches());
+    stats.trianglesDrawn = 0;
+    for (const Range& range : ranges) stats.trianglesDrawn += range.count;
+    skinPass.draw(mirror, ranges, view.overlay != Overlay::none);
 }
 
 // The detail that is asked for, or as much of it as fits the time.
@@ -252,7 +259,9 @@ void Renderer::Parts::drawSample(const Document& document, const View& view) {
     const Pelt pelt = peltOf(document.fur, frame.coats, frame.overWidth, frame.underWidth,
                              document.skin->area, mirror.longestHair());
     drawSkin(canvas, frame, view);
-    const SkinDepth depth = skinDepth(canvas, sightOf(frame), pelt);
+    const Box box = boxOf(sightOf(frame), pelt);
+    const SkinDepth depth =
+        strandPass.begin(canvas.depth, frameBlock, canvas.size, box.lower, box.upper);
     // The parts of a frame can only be told apart where each waits for the one before.
     const auto strandStart = Clock::now();
     const InSight seen =
@@ -268,6 +277,9 @@ void Renderer::Parts::drawSample(const Document& document, const View& view) {
     if (bounded) glFinish();
     const double strandSeconds = secondsSince(strandStart);
 
+    if (samples == 0)
+        postPass.begin(view.background, vec2(box.lower) / vec2(canvas.size),
+                       vec2(box.upper) / vec2(canvas.size));
     if (!single) postPass.accumulate(canvas.color, samples == 0);
     ++samples;
     display(view);

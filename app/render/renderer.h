@@ -50,10 +50,11 @@ struct FrameStats {
     // Triangles near each other with their hair: all are drawn or left out for one of four reasons.
     std::size_t clusters = 0, clustersDrawn = 0, clustersOutside = 0, clustersHidden = 0,
                 clustersSmall = 0, clustersBald = 0;
-    float deviation = 0.0f;  // pixels by which it is coarser to keep to its time
-    double seconds = 0.0;    // to the end of the GPU's work
-    int samples = 0;         // averaged in the picture so far
-    bool finished = false;   // nothing will change unless document or view do
+    std::size_t trianglesDrawn = 0;  // of the skin
+    float deviation = 0.0f;          // pixels by which it is coarser to keep to its time
+    double seconds = 0.0;            // to the end of the GPU's work
+    int samples = 0;                 // averaged in the picture so far
+    bool finished = false;           // nothing will change unless document or view do
 };
 
 // Needs a current OpenGL 4.5 context, the same for its whole life. Throws std::runtime_error that

@@ -2,6 +2,9 @@
 #include "app/render/strand_pass.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
 #include <string>
 
 #include "core/elastica.h"
@@ -18,18 +21,22 @@ void dispatch(uint groups) {
 }
 
 // Keeps some room, so that the buffer is not made anew in every frame of a moving view.
+void reserve(gl::Buffer& buffer, std::size_t bytes) {
+    if (buffer.bytes() < bytes || buffer.bytes() == 0) buffer.resize(bytes * 3 / 2);
+}
+
 template <typename T>
 void replace(gl::Buffer& buffer, const std::vector<T>& values) {
-    const std::size_t bytes = values.size() * sizeof(T);
-    if (buffer.bytes() < bytes || buffer.bytes() == 0)
-        buffer.resize(std::max<std::size_t>(bytes * 3 / 2, sizeof(T)));
+    reserve(buffer, values.size() * sizeof(T));
     buffer.write(0, std::span<const T>(values));
 }
+
+constexpr std::size_t kLists = 4;  // at most two coats, wide and narrow
 
 }  // namespace
 
 StrandPass::StrandPass() : keyProgram_(Program::compute("depth_keys.comp")) {
-    counters_.resize(16);
+    counters_.resize(kLists * sizeof(SeenList));
 }
 
 // Made when a coat first needs them.
@@ -103,8 +110,14 @@ void StrandPass::draw(const Mirror& mirror, const Fur& fur, uint coats, const St
     addParts(parts, fur, coats, plan.narrowBegin, plan.end, true);
     replace(runs_, plan.runs);
     replace(groups_, plan.groups);
-    const uvec2 zero(0);
-    counters_.write(0, std::span<const uvec2>(&zero, 1));
+    counters_.upload(std::span<const SeenList>(std::array<SeenList, kLists>{}));
+    tried_ = 0;
+    assert(parts.size() <= kLists);
+    for (Part& part : parts) {
+        part.seen = static_cast<uint>(tried_);
+        tried_ += part.end - part.begin;
+    }
+    reserve(seen_, tried_ * sizeof(uint));
 
     mirror.bind();
     frameBlock.bindUniform(binding::frame);
@@ -112,29 +125,40 @@ void StrandPass::draw(const Mirror& mirror, const Fur& fur, uint coats, const St
     runs_.bindStorage(binding::runs);
     groups_.bindStorage(binding::groups);
     counters_.bindStorage(binding::counters);
+    seen_.bindStorage(binding::seen);
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, counters_.name());
     if (rodTable_.bytes() > 0) rodTable_.bindStorage(binding::rodTable);
     glBindTextureUnit(binding::skinDepth, skinDepth.name());
     glBindImageTexture(0, picture.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16F);
 
-    tried_ = 0;
-    for (const auto pass : {&Pair::depth, &Pair::color}) {
-        for (const Part& part : parts) {
-            (part.programs->*pass).use();
-            glUniform1ui(0, part.coats);
-            glUniform2ui(1, part.begin, part.end);
-            dispatch((part.end - part.begin + 31) / 32);
-        }
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    for (uint i = 0; i < parts.size(); ++i) {
+        parts[i].programs->depth.use();
+        glUniform1ui(0, parts[i].coats);
+        glUniform2ui(1, parts[i].begin, parts[i].end);
+        glUniform2ui(2, i, parts[i].seen);
+        dispatch((parts[i].end - parts[i].begin + 31) / 32);
     }
-    for (const Part& part : parts) tried_ += part.end - part.begin;
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
-                    GL_BUFFER_UPDATE_BARRIER_BIT);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    for (uint i = 0; i < parts.size(); ++i) {
+        parts[i].programs->color.use();
+        glUniform1ui(0, parts[i].coats);
+        glUniform2ui(2, i, parts[i].seen);
+        glDispatchComputeIndirect(static_cast<GLintptr>(i * sizeof(SeenList)));
+    }
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                    GL_FRAMEBUFFER_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 StrandPass::Counts StrandPass::counts() const {
-    uvec2 drawn(0);
-    glGetNamedBufferSubData(counters_.name(), 0, sizeof drawn, &drawn);
-    return {tried_, drawn.x, drawn.y};
+    std::array<SeenList, kLists> lists;
+    glGetNamedBufferSubData(counters_.name(), 0, sizeof lists, lists.data());
+    Counts counts;
+    counts.tried = tried_;
+    for (const SeenList& list : lists) {
+        counts.hairs += list.count;
+        counts.segments += list.segments;
+    }
+    return counts;
 }
 
 }  // namespace pelage

@@ -16,7 +16,7 @@ void append(StrandPlan& plan, const Cluster& cluster, const Choice::Drawn& drawn
                          .phase = cluster.phase,
                          .step = 1.0f / static_cast<float>(cluster.count)});
     plan.end += drawn.hairs;
-    while (plan.groups.size() * kGroupSize < plan.end) plan.groups.push_back({.run = run});
+    while (plan.groups.size() * kGroupSize < plan.end) plan.groups.push_back(run);
 }
 
 }  // namespace

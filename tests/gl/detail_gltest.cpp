@@ -27,7 +27,7 @@ void setBoth(Document& document, float Coat::*parameter, float value) {
     document.fur.over.*parameter = document.fur.under.*parameter = value;
 }
 
-// The picture and the counts are the same whether what cannot be seen is left out or not.
+// The picture and the counts of hair are the same whether what cannot be seen is left out or not.
 FrameStats expectSame(Renderer& renderer, const Document& document, View view, const char* name) {
     view.culls = false;
     const auto whole = test::picture(renderer, document, view);
@@ -39,6 +39,7 @@ FrameStats expectSame(Renderer& renderer, const Document& document, View view, c
     EXPECT_EQ(all.hairsDrawn, some.hairsDrawn) << name;
     EXPECT_EQ(all.segmentsDrawn, some.segmentsDrawn) << name;
     EXPECT_EQ(all.clustersHidden + all.clustersOutside, 0u) << name;
+    EXPECT_LE(some.trianglesDrawn, all.trianglesDrawn) << name;
     EXPECT_EQ(some.clustersDrawn + some.clustersHidden + some.clustersOutside + some.clustersSmall +
                   some.clustersBald,
               some.clusters)
@@ -103,6 +104,41 @@ TEST(Detail, HairIsNeverLeftOutWhereItWasPaintedSince) {
     for (uint v = 0; v < document.skin->vertices.size(); v += 7)
         document.groom.fur.edit(v).furLength = 0.5f;
     EXPECT_GT(expectSame(renderer, document, view, "grown").hairsDrawn, 1000u);
+}
+
+TEST(Detail, SkinOutsideTheViewIsLeftOut) {
+    const Document document = test::evenDocument(test::ball(5));
+    Renderer renderer;
+    View view = test::ballView(document, 160);
+    const std::size_t triangles = document.skin->triangles.size();
+    view.camera.distance = 4.0f;
+    EXPECT_EQ(renderer.draw(document, view).trianglesDrawn, triangles);
+    view.camera.distance = 1.2f;
+    EXPECT_LT(renderer.draw(document, view).trianglesDrawn, triangles);
+    view.camera.distance = 4.0f;
+    view.camera.target += 20.0f * view.camera.right();
+    EXPECT_EQ(renderer.draw(document, view).trianglesDrawn, 0u);
+    view.camera.target -= 20.0f * view.camera.right();
+    view.showSkin = false;
+    EXPECT_EQ(renderer.draw(document, view).trianglesDrawn, 0u);
+}
+
+// Both kinds of pixels show the same background: those that hair might reach, and the others.
+TEST(Detail, TheBackgroundIsOneColorInAndAroundTheBoxOfTheAnimal) {
+    const Document document = shortHairedBall();
+    Renderer renderer;
+    View view = test::ballView(document, 160);
+    for (const float distance : {3.0f, 40.0f})
+        for (const int samples : {1, 3})
+            for (const vec3 background : {vec3(0.58f, 0.63f, 0.69f), vec3(0.001f, 0.2f, 1.5f)}) {
+                view.camera.distance = distance;
+                view.samples = samples;
+                view.background = background;
+                view.showOver = view.showUnder = view.showSkin = false;
+                const auto pixels = test::picture(renderer, document, view);
+                for (std::size_t i = 4; i < pixels.size(); ++i)
+                    ASSERT_EQ(pixels[i], pixels[i - 4]) << i << " of " << pixels.size();
+            }
 }
 
 TEST(Detail, NoUndercoatIsNoUndercoatWork) {

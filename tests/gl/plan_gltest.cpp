@@ -55,7 +55,7 @@ Roots manyClusters() {
 void expectGroups(const StrandPlan& plan) {
     EXPECT_EQ(plan.groups.size(), (plan.end + 31) / 32);
     for (uint g = 0; g < plan.groups.size(); ++g) {
-        const StrandPlan::Run& run = plan.runs[plan.groups[g].run];
+        const StrandPlan::Run& run = plan.runs[plan.groups[g]];
         EXPECT_TRUE(run.begin <= 32 * g && 32 * g < run.end) << g;
     }
 }
