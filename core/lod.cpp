@@ -57,7 +57,9 @@ bool isHidden(const Cluster& cluster, const Tuft& tuft, const Pelt& pelt, const 
     const auto extent = [&](vec3 e) { return cluster.radius + reachAlong(tuft, pelt, e); };
     const Outline outline = outlineOf(sight, cluster.center, extent);
     if (!outline.known) return false;
-    const vec3 nearest = cluster.center - extent(-sight.forward) * sight.forward;
+    // Hairs are round: their fronts stand before their axes.
+    const float towards = extent(-sight.forward) + 0.5f * pelt.widest;
+    const vec3 nearest = cluster.center - towards * sight.forward;
     const vec4 clip = sight.viewProjection * vec4(nearest, 1.0f);
     if (!(clip.w > 0.0f)) return false;
     constexpr float kRounding = 1e-6f;

@@ -78,16 +78,14 @@ constexpr std::array kTechniques = {
               "what the eye hardly sees: hairs that fewer and wider ones stand for"},
     Technique{"segments", "segments of a polyline", true, kSegmentNames, turnSegments,
               "edges of pixels beyond 16 samples"},
-    Technique{
-        "ribbon", "deviation from the curve that is allowed", true, kToleranceNames, turnTolerance,
-        "the hair's round ends; it is lit as round across its width, the reference as a line"},
+    Technique{"ribbon", "deviation from the curve that is allowed", true, kToleranceNames,
+              turnTolerance,
+              "edges of pixels beyond 16 samples; the hair's round front, but for its mean"},
     Technique{"style", "how both coats are drawn", false, kStyleNames, turnStyle,
-              "a line: the bend and the hair's own shading; a nurbs-curve: the change of color "
-              "along the hair; ribbon and nurbs-surface are lit as round across their width, the "
-              "reference as a line"},
-    Technique{
-        "sides", "sides of a tube", true, kSideNames, turnSides,
-        "the hair's round ends; it is lit as round across its width, the reference as a line"},
+              "a line: the bend; a nurbs-curve: the change of color along the hair; ribbon and "
+              "nurbs-surface: the sides of hair thinner than 1.5 pixels, but for their mean"},
+    Technique{"sides", "sides of a tube", true, kSideNames, turnSides,
+              "edges of pixels beyond 16 samples; what 8 sides lack of a round outline"},
     Technique{"samples", "frames in the mean", true, kSampleNames, turnSamples,
               "16 segments stand for a curve"},
 };

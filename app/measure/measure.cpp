@@ -21,9 +21,29 @@ TracedPicture traced(std::shared_ptr<const ReferenceScene> scene, ReferenceView 
     return tracedPicture(picture, view.size);
 }
 
-Measured measured(Renderer& renderer, Document document, View view, const Technique& technique,
-                  std::size_t value, int repeat) {
-    technique.turn(value, document.fur, view);
+// Traces what is not there yet.
+std::size_t referenceNumber(MeasuredEye& eye, const std::shared_ptr<const ReferenceScene>& scene,
+                            ReferenceView view, std::optional<uint> style,
+                            const MeasureOptions& options) {
+    const auto known = std::ranges::find(eye.references, style, &References::style);
+    const auto number = static_cast<std::size_t>(known - eye.references.begin());
+    if (known != eye.references.end()) return number;
+    view.style = style;
+    eye.references.push_back({style, traced(scene, view, Shadows::live, options),
+                              traced(scene, view, Shadows::traced, options)});
+    return number;
+}
+
+// The style that a technique has given to both coats, if it is another one than they had. Lines and
+// curves are lit alike.
+std::optional<uint> styleTurned(const Fur& before, const Fur& turned) {
+    if (turned.over.style == before.over.style && turned.under.style == before.under.style)
+        return std::nullopt;
+    return turned.over.style == kStyleLine ? kStyleCurve : turned.over.style;
+}
+
+Measured measured(Renderer& renderer, const Document& document, const View& view,
+                  const Technique& technique, std::size_t value, int repeat) {
     Measured row{.technique = &technique, .value = value};
     LiveDrawing drawing(view, repeat);
     std::optional<LivePicture> picture;
@@ -52,11 +72,13 @@ std::vector<Approach> approaches(const MeasuredEye& eye) {
     double before = 0.0;
     for (const Measured& row : eye.rows) {
         const double error = row.drawing.rmse;
+        const auto noise = static_cast<double>(eye.referenceOf(row).drawing.noise.color);
         if (all.empty() || all.back().technique != row.technique)
-            all.push_back({row.technique, error, error, true});
-        else if (error > before + static_cast<double>(eye.drawing.noise.color))
+            all.push_back({row.technique, error, error, noise, true});
+        else if (error > before + noise)
             all.back().falls = false;
         all.back().finest = before = error;
+        all.back().noise = noise;
     }
     return all;
 }
@@ -86,17 +108,22 @@ Measurement measure(const Document& document, const MeasureOptions& options,
     for (const MeasureOptions::Eye& eye : options.eyes) {
         view.camera = eye.camera;
         MeasuredEye seen{.name = eye.name, .camera = eye.camera};
-        say(eye.name + ": reference with the light of the live view");
-        seen.drawing = traced(scene, referenceView(view), Shadows::live, options);
-        say(eye.name + ": reference with traced light");
-        seen.light = traced(scene, referenceView(view), Shadows::traced, options);
+        const auto numberOf = [&](std::optional<uint> style) {
+            return referenceNumber(seen, scene, referenceView(view), style, options);
+        };
+        say(eye.name + ": reference");
+        numberOf(std::nullopt);
         for (const Technique* technique : options.techniques) {
             for (std::size_t value = 0; value < technique->values.size(); ++value) {
                 say(eye.name + ": " + technique->name + " " + technique->values[value]);
+                Document turned = document;
+                View turnedView = view;
+                technique->turn(value, turned.fur, turnedView);
                 Measured row =
-                    measured(renderer, document, view, *technique, value, options.repeat);
-                row.drawing = imageErrors(row.image, seen.drawing.image);
-                row.light = imageErrors(row.image, seen.light.image);
+                    measured(renderer, turned, turnedView, *technique, value, options.repeat);
+                row.reference = numberOf(styleTurned(document.fur, turned.fur));
+                row.drawing = imageErrors(row.image, seen.referenceOf(row).drawing.image);
+                row.light = imageErrors(row.image, seen.referenceOf(row).light.image);
                 seen.rows.push_back(std::move(row));
             }
         }

@@ -42,11 +42,13 @@ StrandPass::StrandPass() : keyProgram_(Program::compute("depth_keys.comp")) {
 // Made when a coat first needs them.
 const StrandPass::Pair& StrandPass::programsOf(uint style, const Coat& coat) {
     const bool shaped = isShapedCoat(coat), rods = coat.droop == kDroopElastica;
-    const Kind kind(style, shaped, rods);
+    const bool round = coat.style == kStyleRibbon || coat.style == kStyleTube;
+    const Kind kind(style, shaped, rods, round);
     const auto known = programs_.find(kind);
     if (known != programs_.end()) return known->second;
     std::vector<std::string> defines{"STYLE " + std::to_string(style)};
     if (shaped) defines.push_back("SHAPED");
+    if (round) defines.push_back("ROUND");
     if (rods) {
         defines.push_back("RODS");
         if (rodTable_.bytes() == 0)

@@ -74,7 +74,7 @@ private:
         uint begin, end;  // numbers of hairs
         uint seen = 0;    // where those not hidden begin in their buffer
     };
-    using Kind = std::tuple<uint, bool, bool>;  // style, whether it is shaped, whether it is rods
+    using Kind = std::tuple<uint, bool, bool, bool>;  // style; whether shaped, rods, round
     const Pair& programsOf(uint style, const Coat& coat);
     void addParts(std::vector<Part>& parts, const Fur& fur, uint coats, uint begin, uint end,
                   bool narrow);
