@@ -8,7 +8,8 @@
 // also of hairs far thinner than a pixel.
 //
 // There is one program for each STYLE (kStyle... of types.glsl) with and without SHAPED hair
-// (clumps, curls, frizz), RODS and ROUND shading, so that what a coat does not use costs nothing.
+// (clumps, curls, frizz), RODS and ROUND shading, and for THIN hair, so that what is not used costs
+// nothing.
 #include "frame.glsl"
 #include "strand.glsl"
 #include "fiber.glsl"
@@ -319,11 +320,11 @@ void main() {
 #endif
 #endif
     vec3 eye = toEye(s.origin);
+#if !defined(THIN) || STYLE == 4
     vec4 nearer = frame.viewProjection * vec4(eye, 0.0);
     float zPerMetre = 0.5 * (nearer.z * origin.w - origin.z * nearer.w) /
                       max(origin.w * origin.w, 1e-12);
-    // One that stands for several is as round as each of them.
-    float bulge = kMeanBulge / max(widened, 1e-3);
+#endif
     vec4 points[kMostSegments + 1u];
     vec4 weightless = frame.viewProjection * vec4(s.scale * s.weightless, 0.0);
     vec4 end = frame.viewProjection * vec4(s.scale * s.end, 0.0);
@@ -340,10 +341,16 @@ void main() {
         vec4 clip = origin + k.x * weightless + k.y * end;
 #endif
         points[i] = toWindow(clip, strandWidth(s, taper, at));
+#if defined(DEPTH_PASS) && defined(THIN)
+        if (!seen) seen = mayBeSeen(points[i]);
+#endif
     }
 
+#ifndef THIN
     // What is seen of a round hair is its front: towards the root of one that points to the eye. Its
-    // outline stays where it is. Its ends are balls.
+    // outline stays where it is. Its ends are balls. One that stands for several is as round as each
+    // of them; where hair is narrow all of that fades out.
+    float bulge = kMeanBulge / max(widened, 1e-3) * clamp(points[0].w / kRoundFrom - 1.0, 0.0, 1.0);
     float zPerPixel = zPerMetre * max(origin.w, 1e-6) / frame.pixelsPerMetre;
     float rootWidth = points[0].w;
     float tipWidth = points[segments].w;
@@ -387,6 +394,7 @@ void main() {
         if (!seen) seen = mayBeSeen(points[i]);
 #endif
     }
+#endif
 
     float left[kCorners];  // edges of the bands in half widths, at the ring before and at this one
     float right[kCorners];
@@ -461,6 +469,7 @@ void main() {
         float v0 = steep ? a.x : a.y;
         float v1 = steep ? b.x : b.y;
         float lengthU = u1 - u0;
+#ifndef THIN
         vec2 moves = vec2(0.0, 1.0);    // where the hair moves on: from, and how fast
         vec2 narrows = vec2(0.0, 1.0);  // and where it changes its width
         if (i == 0u || i + 1u == segments) {
@@ -471,6 +480,7 @@ void main() {
             moves = vec2(first.x, fast.x);
             narrows = vec2(first.y, fast.y);
         }
+#endif
         float slope = (v1 - v0) / (abs(lengthU) < 1e-6 ? 1e-6 : lengthU);
         float stretch = 0.5 * sqrt(1.0 + min(slope * slope, 1.0));
         int sizeU = steep ? frame.size.y : frame.size.x;
@@ -497,10 +507,13 @@ void main() {
             if (left[band + 1u] - left[band] + right[band + 1u] - right[band] <= 0.0) continue;
 #endif
             for (int u = first; u < last; ++u) {
-                float at = (float(u) + 0.5 - u0) / lengthU;
-                float f = clamp((at - moves.x) * moves.y, 0.0, 1.0);
+                float f = (float(u) + 0.5 - u0) / lengthU;
                 float v = v0 + slope * (float(u) + 0.5 - u0);
-                float width = mix(a.w, b.w, clamp((at - narrows.x) * narrows.y, 0.0, 1.0));
+                float width = mix(a.w, b.w, f);
+#ifndef THIN
+                width = mix(a.w, b.w, clamp((f - narrows.x) * narrows.y, 0.0, 1.0));
+                f = clamp((f - moves.x) * moves.y, 0.0, 1.0);
+#endif
                 float half_ = min(stretch * width, kWidestHalf);
                 float z = mix(a.z, b.z, f);
 #if STYLE == 2 || STYLE == 4
