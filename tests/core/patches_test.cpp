@@ -71,7 +71,9 @@ TEST(Patches, NothingInTheWindowIsLeftOut) {
                 for (uint k = 0; k < range.count; ++k) drawn.insert(patches.order[range.first + k]);
             leftOut += skin->triangles.size() - drawn.size();
             for (uint t = 0; t < skin->triangles.size(); ++t)
-                if (reachesIn(*skin, t, sight)) EXPECT_TRUE(drawn.contains(t)) << t;
+                if (reachesIn(*skin, t, sight)) {
+                    EXPECT_TRUE(drawn.contains(t)) << t;
+                }
         }
     EXPECT_GT(leftOut, 0u);  // there was something to leave out
 }
