@@ -22,7 +22,8 @@ void append(StrandPlan& plan, const Cluster& cluster, const Choice::Drawn& drawn
 }  // namespace
 
 StrandPlan planStrands(const Roots& roots, const Choice& choice, bool adapts) {
-    StrandPlan plan{.thinRibbonsAreLines = adapts};
+    StrandPlan plan;
+    plan.thinRibbonsAreLines = adapts;
     for (const Choice::Drawn& drawn : choice.clusters)
         if (!drawn.narrow) append(plan, roots.clusters[drawn.cluster], drawn);
     plan.wideEnd = plan.end;
