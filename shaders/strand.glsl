@@ -375,10 +375,10 @@ vec3 strandTangent(Strand s, float t) {
 }
 
 // Corner k of a tube's ring at t: a unit vector from the hair's axis, in the plane across the unit
-// `tangent`. As a NURBS surface the tube is the spine's Bezier curve swept by this ring.
+// `tangent`; where the first one is differs from hair to hair. As a NURBS surface the tube is the spine's Bezier curve swept by this ring.
 vec3 tubeNormal(Strand s, vec3 tangent, uint k, uint sides) {
     vec3 n = safeUnit(cross(s.binormal, tangent), s.normal);
-    float turn = 6.2831853f * float(k) / float(sides);
+    float turn = 6.2831853f * (float(k) / float(sides) + rand01(s.id + kDrawTwist));
     return cos(turn) * n + sin(turn) * cross(tangent, n);
 }
 

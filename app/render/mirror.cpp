@@ -158,9 +158,9 @@ bool Mirror::update(const Document& document, const std::shared_ptr<const Skin>&
     }
     if (newPose) {
         skinVertices_.upload(view(shown->vertices));
-        if (!newSkin || posed) boundPatches(patches_, *shown);
         shown_ = shown;
     }
+    if (newSkin || newPose) boundPatches(patches_, *shown);
     const bool newRoots =
         newSkin || document.fur.hairs != fur_.hairs || document.fur.seed != fur_.seed;
     std::vector<bool> newChunks(document.groom.fur.chunkCount());

@@ -1,6 +1,8 @@
 // post_pass.cpp -- from samples in linear light to the picture on screen, and the lines over it.
 #include "app/render/post_pass.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <glm/gtc/packing.hpp>
 #include <vector>
 
@@ -87,6 +89,19 @@ void PostPass::display(int samples, const gl::Texture& only, std::span<const Ove
     glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(2 * lines.size()));
     glDisable(GL_DEPTH_CLAMP);
     glDisable(GL_BLEND);
+}
+
+std::vector<unsigned char> PostPass::pixels() const {
+    const std::size_t row = static_cast<std::size_t>(size_.x) * 4;
+    std::vector<unsigned char> upward(row * static_cast<std::size_t>(size_.y));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(picture_.name(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                      static_cast<GLsizei>(upward.size()), upward.data());
+    std::vector<unsigned char> downward(upward.size());
+    for (std::size_t y = 0; y < static_cast<std::size_t>(size_.y); ++y)
+        std::copy_n(upward.begin() + static_cast<std::ptrdiff_t>(y * row), row,
+                    downward.end() - static_cast<std::ptrdiff_t>((y + 1) * row));
+    return downward;
 }
 
 }  // namespace pelage

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "app/render/gl.h"
 #include "app/render/program.h"
@@ -23,6 +24,7 @@ public:
     void display(int samples, const gl::Texture& only, std::span<const OverlayLine> lines,
                  const mat4& viewProjection, const gl::Texture& skinDepth);
 
+    std::vector<unsigned char> pixels() const;  // of picture(), RGBA8, first row at the top
     const gl::Texture& picture() const { return picture_; }
     std::size_t bytes() const {
         return static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * 20;

@@ -40,13 +40,16 @@ StrandPass::StrandPass() : keyProgram_(Program::compute("depth_keys.comp")) {
 }
 
 // Made when a coat first needs them.
-const StrandPass::Pair& StrandPass::programsOf(uint style, const Coat& coat) {
+const StrandPass::Pair& StrandPass::programsOf(uint style, const Coat& coat, bool thin) {
     const bool shaped = isShapedCoat(coat), rods = coat.droop == kDroopElastica;
-    const Kind kind(style, shaped, rods);
+    const bool round = coat.style == kStyleRibbon || coat.style == kStyleTube;
+    const Kind kind(style, shaped, rods, round, thin);
     const auto known = programs_.find(kind);
     if (known != programs_.end()) return known->second;
     std::vector<std::string> defines{"STYLE " + std::to_string(style)};
     if (shaped) defines.push_back("SHAPED");
+    if (round) defines.push_back("ROUND");
+    if (thin) defines.push_back("THIN");
     if (rods) {
         defines.push_back("RODS");
         if (rodTable_.bytes() == 0)
@@ -59,15 +62,16 @@ const StrandPass::Pair& StrandPass::programsOf(uint style, const Coat& coat) {
 }
 
 // Both coats at once where they are drawn alike.
-void StrandPass::addParts(std::vector<Part>& parts, const Fur& fur, uint coats, uint begin,
-                          uint end, bool narrow) {
+void StrandPass::addParts(std::vector<Part>& parts, const Fur& fur, uint coats,
+                          const StrandPlan& plan, bool thin) {
+    const uint begin = thin ? plan.narrowBegin : 0, end = thin ? plan.end : plan.wideEnd;
     if (begin == end) return;
     const std::size_t before = parts.size();
     for (const uint bit : {1u, 2u}) {
         if (!(coats & bit)) continue;
         const Coat& coat = bit == 1 ? fur.over : fur.under;
-        const bool line = narrow && coat.style == kStyleRibbon;
-        const Pair* programs = &programsOf(line ? kStylePolyline : coat.style, coat);
+        const bool line = thin && plan.thinRibbonsAreLines && coat.style == kStyleRibbon;
+        const Pair* programs = &programsOf(line ? kStylePolyline : coat.style, coat, thin);
         if (parts.size() > before && parts.back().programs == programs)
             parts.back().coats |= bit;
         else
@@ -104,8 +108,8 @@ void StrandPass::draw(const Mirror& mirror, const Fur& fur, uint coats, const St
                       const gl::Buffer& frameBlock, const gl::Texture& picture,
                       const gl::Texture& skinDepth) {
     std::vector<Part> parts;  // makes what is bound below, when it is first needed
-    addParts(parts, fur, coats, 0, plan.wideEnd, false);
-    addParts(parts, fur, coats, plan.narrowBegin, plan.end, true);
+    addParts(parts, fur, coats, plan, false);
+    addParts(parts, fur, coats, plan, true);
     replace(runs_, plan.runs);
     replace(groups_, plan.groups);
     counters_.upload(std::span<const SeenList>(std::array<SeenList, kLists>{}));

@@ -26,12 +26,13 @@ struct StrandPlan {
     };
     std::vector<Run> runs;
     std::vector<uint> groups;       // of 32 hairs: the run that the first one belongs to
-    uint wideEnd = 0;               // hairs below it are drawn in the style of their coat,
-    uint narrowBegin = 0, end = 0;  // these with ribbons as polylines; begins a group
+    uint wideEnd = 0;               // hairs below it may be wide enough to look round,
+    uint narrowBegin = 0, end = 0;  // these are not; begins a group
+    bool thinRibbonsAreLines = false;
 };
 
-// `splits` where there are ribbons that may be drawn as polylines where they are narrow.
-StrandPlan planStrands(const Roots& roots, const Choice& choice, bool splits);
+// `adapts` where narrow ribbons may be drawn as polylines.
+StrandPlan planStrands(const Roots& roots, const Choice& choice, bool adapts);
 
 // Of the hairs of one program that are not hidden, as in shaders/strand_raster.comp: groups of 32
 // as glDispatchComputeIndirect reads them, hairs and their segments.
@@ -74,10 +75,11 @@ private:
         uint begin, end;  // numbers of hairs
         uint seen = 0;    // where those not hidden begin in their buffer
     };
-    using Kind = std::tuple<uint, bool, bool>;  // style, whether it is shaped, whether it is rods
-    const Pair& programsOf(uint style, const Coat& coat);
-    void addParts(std::vector<Part>& parts, const Fur& fur, uint coats, uint begin, uint end,
-                  bool narrow);
+    // Style; whether it is shaped, rods, shaded as round, thin.
+    using Kind = std::tuple<uint, bool, bool, bool, bool>;
+    const Pair& programsOf(uint style, const Coat& coat, bool thin);
+    void addParts(std::vector<Part>& parts, const Fur& fur, uint coats, const StrandPlan& plan,
+                  bool thin);
 
     Program keyProgram_;
     std::map<Kind, Pair> programs_;

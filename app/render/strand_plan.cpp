@@ -21,14 +21,14 @@ void append(StrandPlan& plan, const Cluster& cluster, const Choice::Drawn& drawn
 
 }  // namespace
 
-StrandPlan planStrands(const Roots& roots, const Choice& choice, bool splits) {
-    StrandPlan plan;
+StrandPlan planStrands(const Roots& roots, const Choice& choice, bool adapts) {
+    StrandPlan plan{.thinRibbonsAreLines = adapts};
     for (const Choice::Drawn& drawn : choice.clusters)
-        if (!splits || !drawn.narrow) append(plan, roots.clusters[drawn.cluster], drawn);
+        if (!drawn.narrow) append(plan, roots.clusters[drawn.cluster], drawn);
     plan.wideEnd = plan.end;
     plan.narrowBegin = plan.end = (plan.end + kGroupSize - 1) / kGroupSize * kGroupSize;
     for (const Choice::Drawn& drawn : choice.clusters)
-        if (splits && drawn.narrow) append(plan, roots.clusters[drawn.cluster], drawn);
+        if (drawn.narrow) append(plan, roots.clusters[drawn.cluster], drawn);
     return plan;
 }
 

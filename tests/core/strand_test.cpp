@@ -329,19 +329,41 @@ TEST(Fiber, HighlightPeaksWhereTheMirrorWouldBe) {
                   worst, 0.5);
 }
 
+TEST(Fiber, MeanFacingIsTheMeanOverTheWidthOfARoundHair) {
+    Stream random{5};
+    constexpr int kSteps = 4000;
+    for (int i = 0; i < 200; ++i) {
+        const vec3 tangent = random.direction(), l = random.direction();
+        const vec3 middle = safeUnit(cross(tangent, random.direction()), anyTangent(tangent));
+        const vec3 right = cross(middle, tangent);
+        double sum = 0.0;
+        for (int k = 0; k < kSteps; ++k) {
+            const float x = (static_cast<float>(k) + 0.5f) * (2.0f / kSteps) - 1.0f;
+            const vec3 normal = x * right + std::sqrt(1.0f - x * x) * middle;
+            sum += static_cast<double>(std::max(0.0f, dot(normal, l)));
+        }
+        EXPECT_NEAR(meanFacing(tangent, middle, l), sum / kSteps, 1e-4);
+    }
+    const vec3 along(1, 0, 0), up(0, 1, 0);
+    EXPECT_NEAR(meanFacing(along, up, up), 0.25f * 3.1415927f, 1e-6f);
+    EXPECT_NEAR(meanFacing(along, up, -up), 0.0f, 1e-6f);
+    EXPECT_EQ(meanFacing(along, up, along), 0.0f);
+}
+
 TEST(Fiber, IsFiniteAndNotNegativeInEveryDirection) {
     Stream random{3};
     const Fur fur = defaultFur();
     for (int i = 0; i < 20000; ++i) {
-        const Strand s = bendStrand(vec3(0), random.direction(), random.direction(), 0.1f, fur.over,
-                                    pcg(static_cast<uint>(i)), kDown);
+        Strand s = bendStrand(vec3(0), random.direction(), random.direction(), 0.1f, fur.over,
+                              pcg(static_cast<uint>(i)), kDown);
+        s.style = static_cast<uint>(i % 5);
         Light light{};
         light.toKey = i % 7 == 0 ? strandTangent(s, 0.5f) : random.direction();
         light.key = 2.0f;
         light.sky = vec3(1);
         const vec3 eye = i % 5 == 0 ? light.toKey : random.direction();
-        const vec3 color = fiberRadiance(s, fur.over, light, vec3(0.5f), random.next(), eye,
-                                         30.0f * random.next());
+        const vec3 color = (i % 2 ? fiberRadiance : roundRadiance)(
+            s, fur.over, light, vec3(0.5f), random.next(), eye, 30.0f * random.next());
         ASSERT_TRUE(finite(color));
         ASSERT_GE(std::min({color.x, color.y, color.z}), 0.0f);
     }

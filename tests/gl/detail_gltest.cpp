@@ -211,7 +211,8 @@ TEST(Detail, MovingAwayChangesPicturesNoFasterThanWithAllHairs) {
     Renderer renderer;
     const double full = largestStep(renderer, document, view);
     for (const Detail& detail : {Detail{}, Detail{.rule = Rule::pixels, .limit = 0.5f},
-                                 Detail{.rule = Rule::pixels, .limit = 1.5f}}) {
+                                 Detail{.rule = Rule::pixels, .limit = 1.5f},
+                                 Detail{.rule = Rule::flip, .limit = 0.05f}}) {
         view.detail = detail;
         const double step = largestStep(renderer, document, view);
         std::printf("%s: largest step %.4f, with all hairs %.4f\n", textOf(detail).c_str(), step,
