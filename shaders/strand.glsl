@@ -179,7 +179,9 @@ Strand bendStrand(vec3 root, vec3 n, vec3 painted, float spineLength, Coat coat,
     float load = floppiness * c;
 
     vec3 tangent = painted - dot(painted, n) * n;
-    if (!finite3(tangent) || !(dot(tangent, tangent) > 1e-6f)) tangent = anyTangent(n);
+    // Shorter than this it is what rounding left, which may point into the skin.
+    float least = 1e-6f * max(1.0f, dot(painted, painted));
+    if (!finite3(tangent) || !(dot(tangent, tangent) > least)) tangent = anyTangent(n);
     tangent = safeUnit(tangent, n);
     vec3 end = safeUnit(w + load * (pull + (0.02f * sqrt(dot(pull, pull))) * tangent), tangent);
     if (coat.style == kStyleLine && !isRodCoat(coat)) w = end;

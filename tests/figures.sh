@@ -36,4 +36,4 @@ Made by `tests/figures.sh`.
 | row | what | reached | allowed | test |
 |---|---|---|---|---|
 TEXT
-sort -V <<<"$lines"
+sort -s -t'|' -k2,2V <<<"$lines"

@@ -103,7 +103,7 @@ bool isSound(test::Draws& draws, uint droop) {
     for (const float t : {0.0f, 0.3f, 1.0f}) {
         const vec3 p = strandPoint(s, t), along = strandTangent(s, t);
         if (!std::isfinite(glm::dot(p, p)) || !(glm::length(p) < 1.001f)) return false;
-        if (!(glm::dot(p, n) > -2e-5f)) return false;
+        if (!(glm::dot(p, n) > -1e-4f)) return false;
         if (!(std::abs(glm::length(along) - 1.0f) < 1e-4f)) return false;
     }
     const uint segments = segmentsFor(s, 1e-3f);
