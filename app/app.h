@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/accuracy.h"
 #include "app/file_dialog.h"
 #include "app/session.h"
 #include "app/settings.h"
@@ -28,6 +29,8 @@
 
 namespace pelage {
 
+class AccuracyPictures;
+
 enum class Dialog {
     none,
     unsaved,
@@ -37,7 +40,8 @@ enum class Dialog {
     exportAs,
     savePreset,
     transfer,
-    subdivide
+    subdivide,
+    accuracy
 };
 
 struct Dialogs {
@@ -45,13 +49,13 @@ struct Dialogs {
     FileDialog files;
     std::function<void()> then;  // goes on once unsaved work is saved or given up
     ExportOptions exportOptions;
-    bool exportCheck = true;     // open the written file again and compare
+    bool exportCheck = true;      // open the written file again and compare
     std::vector<MeshSize> sizes;  // of the mesh now and subdivided once, twice, ...
     int levels = 1;               // of which this one is chosen
-    std::vector<LostWork> lost;  // offered one after the other
-    Preset preset;               // that is to be saved; its coats come at the end
-    bool presetFresh = false;    // its dialog was just opened
-    std::string problem;         // shown in a box until it is read; empty = none
+    std::vector<LostWork> lost;   // offered one after the other
+    Preset preset;                // that is to be saved; its coats come at the end
+    bool presetFresh = false;     // its dialog was just opened
+    std::string problem;          // shown in a box until it is read; empty = none
     bool help = false, report = false;
     bool escape = false, enter = false;  // keys of this frame, for the question that is open
 };
@@ -85,14 +89,17 @@ struct App {
     std::string name;     // of the animal, for title and status line
     std::string message;  // the latest, in the status line
     bool messageIsBad = false;
-    FrameStats stats;
+    FrameStats stats;        // of the last frame
+    FrameStats movingStats;  // of the last one while the hand moved
     std::string device;
     bool touched = false;  // the document changed since the last frame
     bool panelsHidden = false;
     bool trace = false;  // one line on stdout for each step (PELAGE_TRACE)
     bool quit = false;
     std::function<void()> wake;  // ends the wait for events; any thread
-    Work work;                   // last: its thread ends before the rest goes
+    Accuracy accuracy;
+    std::shared_ptr<AccuracyPictures> accuracyPictures;  // null until something was measured
+    Work work;  // last: its thread ends before the rest goes
 
     bool isOpen() const { return workspace.editor != nullptr; }
     Editor& editor() { return *workspace.editor; }
@@ -169,6 +176,17 @@ void dropPreset(App& app, const std::string& path);  // puts on what a file hold
 void keepPreset(App& app, Preset preset);            // among the user's own, under its name
 void removePreset(App& app, const Preset& preset);
 void stepPresets(App& app);  // goes on with their pictures
+
+// What the live picture's shortcuts cost (accuracy_steps.cpp).
+void toggleAccuracy(App& app);
+void measureAccuracy(App& app);
+void cancelAccuracy(App& app);
+void showAccuracy(App& app, AccuracyPicture picture);  // in place of the window's
+unsigned accuracyTexture(const App& app, AccuracyPicture picture);
+// In each frame: goes on measuring, by a frame only where nothing changed for a while and the
+// window is not busy. Returns the seconds until it should be called again.
+double stepAccuracy(App& app, double rested, bool busy);
+void saveAccuracy(App& app, const std::string& path);
 
 // Files (files.cpp). All of them ask first when work would be lost, and then go on by themselves.
 void leave(App& app, std::function<void()> then);

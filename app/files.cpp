@@ -148,13 +148,19 @@ void openAnimal(App& app) {
 void askForFile(App& app, Dialog purpose) {
     FileDialog& dialog = app.dialogs.files;
     dialog = {};
-    dialog.saving = purpose == Dialog::saveAs || purpose == Dialog::exportAs;
+    dialog.saving = purpose != Dialog::open && purpose != Dialog::transfer;
+    std::string proposed = proposedName(app);
     if (!dialog.saving) {
         const bool open = purpose == Dialog::open;
         dialog.title =
             open ? "Open a mesh or a groomed .glb" : "Transfer the groom of another file";
         dialog.accept = open ? "Open" : "Transfer";
         dialog.extensions = {".glb", ".gltf", ".obj", ".ply", ".off", ".stl"};
+    } else if (purpose == Dialog::accuracy) {
+        dialog.title = "Save the figures, with pictures beside them";
+        dialog.accept = "Save";
+        dialog.extensions = {".csv"};
+        proposed = fs::path(app.name).stem().string() + "-accuracy.csv";
     } else {
         dialog.title = purpose == Dialog::saveAs ? "Save the groomed .glb" : "Export for others";
         dialog.accept = purpose == Dialog::saveAs ? "Save" : "Export";
@@ -163,7 +169,7 @@ void askForFile(App& app, Dialog purpose) {
     const char* home = std::getenv("HOME");
     std::string folder = app.settings.folder;
     if (folder.empty() || !fs::is_directory(folder)) folder = home ? home : "/";
-    browse(dialog, folder, dialog.saving ? proposedName(app) : "");
+    browse(dialog, folder, dialog.saving ? proposed : "");
     app.dialogs.current = purpose;
 }
 

@@ -12,7 +12,9 @@
 namespace pelage {
 namespace {
 
-constexpr double kRest = 0.15;  // s without change until the picture converges
+constexpr double kRest = 0.15;             // s without change until the picture converges
+constexpr double kPatience = 0.25;         // s of a frame, for the error of a picture at rest
+constexpr float kAccuracyHeight = 222.0f;  // of the panel, units of the design
 
 bool asking(const App& app) {
     return app.dialogs.current != Dialog::none || !app.dialogs.problem.empty() ||
@@ -28,8 +30,10 @@ void useKeys(App& app, FrameKeys& keys) {
         if (key == GLFW_KEY_ESCAPE) {
             if (asking(app))
                 app.dialogs.escape = true;
-            else if (!cancelDrag(app))
+            else if (!cancelDrag(app)) {
                 app.dialogs.help = app.dialogs.report = false;
+                app.accuracy.shown = AccuracyPicture::none;
+            }
             continue;
         }
         if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) app.dialogs.enter = true;
@@ -50,12 +54,13 @@ Layout layOut(App& app, float menu) {
         layout.left = theme.px(214);
         layout.right = theme.px(318);
         if (app.rig() && !app.rig()->clips.empty()) layout.timeline = theme.px(36);
+        if (app.accuracy.open && app.isOpen()) layout.accuracy = theme.px(kAccuracyHeight);
     }
     Viewport& viewport = app.viewport;
     viewport.corner = {layout.left, layout.menu + layout.toolbar};
     viewport.size = {
         std::max(layout.window.x - layout.left - layout.right, 16.0f),
-        std::max(layout.window.y - viewport.corner.y - layout.status - layout.timeline, 16.0f)};
+        std::max(layout.window.y - viewport.corner.y - layout.bottom() - layout.timeline, 16.0f)};
     return layout;
 }
 
@@ -70,32 +75,29 @@ void drawPicture(App& app, Renderer& renderer, FrameKeys& keys, double now, bool
     const bool moving = now - keys.changed < kRest;
 
     const Viewport& viewport = app.viewport;
-    const ViewOptions& options = app.session.view;
-    View view;
-    view.camera = app.session.camera;
-    view.size = {static_cast<int>(std::lround(viewport.size.x * viewport.pixels)),
-                 static_cast<int>(std::lround(viewport.size.y * viewport.pixels))};
-    view.overlay = options.overlay;
-    view.showSkin = options.showSkin;
-    view.showOver = options.showOver;
-    view.showUnder = options.showUnder;
-    view.segments = static_cast<uint>(options.segments);
-    view.seconds = options.windSeconds;
-    view.detail = options.detail;
-    if (!moving) view.detail.milliseconds = 0.0f;
-    view.samples = moving ? 1 : options.samples;
-    view.posed = app.workspace.posed;
-    view.background = {0.040f, 0.043f, 0.050f};
+    View view = viewAtRest(app);
+    view.patience = kPatience;
+    if (moving) {
+        view.detail.milliseconds = app.session.view.detail.milliseconds;
+        view.samples = 1;
+    }
     view.lines = viewport.lines;
     // While the hand is on a panel, widgets answer first and the picture goes on afterwards. The
     // keys of a text field would be lost in slow frames.
     const bool busyElsewhere = !moving && ((events && io.WantCaptureMouse) || io.WantTextInput);
     if (!busyElsewhere) app.stats = renderer.draw(app.document(), view);
+    if (!busyElsewhere && moving) app.movingStats = app.stats;
 
     const ImVec2 corner{viewport.corner.x, viewport.corner.y};
     const ImVec2 end{corner.x + viewport.size.x, corner.y + viewport.size.y};
-    const auto picture = (ImTextureID) static_cast<std::intptr_t>(renderer.texture());
-    ImGui::GetBackgroundDrawList()->AddImage(picture, corner, end, {0, 1}, {1, 0});
+    const auto draw = [&](unsigned texture, ImVec2 upperLeft, ImVec2 lowerRight) {
+        ImGui::GetBackgroundDrawList()->AddImage((ImTextureID) static_cast<std::intptr_t>(texture),
+                                                 corner, end, upperLeft, lowerRight);
+    };
+    if (app.accuracy.shown == AccuracyPicture::none)
+        draw(renderer.texture(), {0, 1}, {1, 0});
+    else
+        draw(accuracyTexture(app, app.accuracy.shown), {0, 0}, {1, 1});
     if (app.stats.finished && !moving && !std::exchange(keys.ready, true)) {
         char place[96];
         std::snprintf(place, sizeof place, "ready, viewport %.0f %.0f %.0f %.0f",
@@ -181,6 +183,7 @@ void drawFrame(App& app, Renderer& renderer, FrameKeys& keys, double now, bool e
         drawSidePanel(app, layout);
     }
     drawTimeline(app, layout);
+    drawAccuracy(app, layout);
     playOn(app, ImGui::GetIO().DeltaTime);
     const bool mine = !asking(app) && !ImGui::GetIO().WantCaptureMouse;
     meetPointer(app, mine);
@@ -192,6 +195,7 @@ void drawFrame(App& app, Renderer& renderer, FrameKeys& keys, double now, bool e
     if (app.isOpen() && now - keys.changed >= kRest) stepPresets(app);
     if (app.isOpen()) {
         drawPicture(app, renderer, keys, now, events);
+        keys.accuracyWaits = stepAccuracy(app, now - keys.changed, events);
         drawHand(app);
     } else if (!asking(app)) {
         drawWelcome(app);

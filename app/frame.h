@@ -19,6 +19,7 @@ struct FrameKeys {
     bool moving = false;              // it changed so recently that frames must be quick
     Camera camera;                    // of the last frame
     bool ready = false;               // a finished picture was shown (traced once)
+    double accuracyWaits = 1e9;       // s until the measure needs a frame
     bool typing = false;              // keys go to a text field
 };
 

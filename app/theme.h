@@ -44,6 +44,7 @@ constexpr const char* kRecent = "\xEF\x80\x97";
 constexpr const char* kPlay = "\xEF\x81\x8B";
 constexpr const char* kPause = "\xEF\x81\x8C";
 constexpr const char* kLoop = "\xEF\x80\x9E";
+constexpr const char* kClose = "\xEF\x80\x8D";
 constexpr const char* kBox = "\xEF\x86\xB2";
 }  // namespace icon
 

@@ -22,6 +22,11 @@ void paintSegments(App& app) {
     app.session.view.overlay = Overlay::segment;
 }
 
+void flipAccuracy(App& app) {
+    const bool reference = app.accuracy.shown == AccuracyPicture::reference;
+    showAccuracy(app, reference ? AccuracyPicture::live : AccuracyPicture::reference);
+}
+
 void scaleText(App& app, float factor) {
     app.settings.scale = factor == 0.0f ? 0.0f : std::clamp(app.theme.scale * factor, 0.5f, 4.0f);
     try {

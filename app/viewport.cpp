@@ -150,6 +150,27 @@ vec3 inPlane(const App& app, vec3 through, vec2 at) {
     return ray.origin + along * ray.direction;
 }
 
+View viewAtRest(const App& app) {
+    const Viewport& viewport = app.viewport;
+    const ViewOptions& options = app.session.view;
+    View view;
+    view.camera = app.session.camera;
+    view.size = {static_cast<int>(std::lround(viewport.size.x * viewport.pixels)),
+                 static_cast<int>(std::lround(viewport.size.y * viewport.pixels))};
+    view.overlay = options.overlay;
+    view.showSkin = options.showSkin;
+    view.showOver = options.showOver;
+    view.showUnder = options.showUnder;
+    view.segments = static_cast<uint>(options.segments);
+    view.seconds = options.windSeconds;
+    view.detail = options.detail;
+    view.detail.milliseconds = 0.0f;
+    view.samples = options.samples;
+    view.posed = app.workspace.posed;
+    view.background = kBackground;
+    return view;
+}
+
 std::optional<SkinHit> hitAt(const App& app, vec2 at) {
     if (!app.isOpen()) return std::nullopt;
     const PointerRay ray = pointerRay(app.session.camera, app.viewport, at);

@@ -26,19 +26,7 @@ struct PointerEvent {
 };
 
 // `click`: Shift and the left button are down, and nothing has moved yet.
-enum class Drag {
-    none,
-    stroke,
-    click,
-    gradient,
-    lasso,
-    axis,
-    orbit,
-    pan,
-    zoom,
-    radius,
-    strength
-};
+enum class Drag { none, stroke, click, gradient, lasso, axis, orbit, pan, zoom, radius, strength };
 enum class AxisEnd { root, tip };  // of the arrow of a body segment
 
 struct Viewport {
@@ -80,6 +68,10 @@ vec3 inPlane(const App& app, vec3 through, vec2 at);
 mat4 viewProjection(const App& app);
 // The skin under a place of the window.
 std::optional<SkinHit> hitAt(const App& app, vec2 at);
+
+// What the window shows when the hand rests, without cursor and arrows.
+View viewAtRest(const App& app);
+inline constexpr vec3 kBackground{0.040f, 0.043f, 0.050f};  // linear RGB
 
 // World length of one window unit at `distance` from the eye, across the line of sight.
 float worldPerUnit(const Camera& camera, const Viewport& viewport, float distance);

@@ -104,6 +104,7 @@ void tip(Ui ui, const char* text, const char* detail) {
     // Its first frame is spent on its size, and nothing else may ask for the ones that show it.
     if (now - tips.since - kTipDelay < 2.0 * static_cast<double>(ImGui::GetIO().DeltaTime))
         tips.wakeAt = now;
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0f);  // what it is about may be grey
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ui.theme.px(280));
     ImGui::TextUnformatted(text);
@@ -114,6 +115,7 @@ void tip(Ui ui, const char* text, const char* detail) {
     }
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+    ImGui::PopStyleVar();
 }
 
 bool section(Ui ui, const char* label, bool open) {

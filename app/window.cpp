@@ -250,10 +250,11 @@ void awaitEvents(Window& window) {
     if (window.keys.moving)
         wait = std::min(wait, std::max(window.keys.changed + kRest - now, 0.001));
     if (app.work.running()) wait = std::min(wait, 0.1);
+    wait = std::min(wait, window.keys.accuracyWaits);
     if (app.tips.wakeAt > 0.0) wait = std::min(wait, std::max(app.tips.wakeAt - now, 0.01));
     if (ImGui::GetIO().WantTextInput) wait = std::min(wait, 0.4);  // the cursor blinks
     if (glfwGetWindowAttrib(window.handle, GLFW_ICONIFIED)) wait = std::max(wait, 0.2);
-    if (wait <= 0.0 || window.keys.moving || app.work.running())
+    if (wait <= 0.0 || window.keys.moving || app.work.running() || app.accuracy.tracing())
         window.rested = false;
     else if (app.trace)
         wait = std::min(wait, traceRest(window, now));

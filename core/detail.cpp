@@ -15,8 +15,8 @@ constexpr float kShortestFrame = 1e-3f, kLongestFrame = 1e6f;  // ms
 [[noreturn]] void refuse(std::string_view text) {
     throw std::runtime_error(
         inQuotes(text) +
-        " is no detail: all, distance, share:S (0.001 to 1), pixels:P (0.01 to 16), ms:T "
-        "(0.001 to 1e6), or a rule and a time joined by a comma");
+        " is no detail: all, distance, share:S (0.001 to 1), pixels:P (0.01 to 16), flip:F "
+        "(0.001 to 1), ms:T (0.001 to 1e6), or a rule and a time joined by a comma");
 }
 
 float numberWithin(std::string_view number, float least, float greatest, std::string_view all) {
@@ -27,7 +27,7 @@ float numberWithin(std::string_view number, float least, float greatest, std::st
 
 }  // namespace
 
-const std::array<DetailRule, 4> kDetailRules{{
+const std::array<DetailRule, 5> kDetailRules{{
     {"all", "All hairs", "Every hair, however thin it is on the screen.", nullptr},
     {"distance", "By distance",
      "The number of hairs falls with the distance (van Gelder and Wilhelms, 1997).", nullptr},
@@ -37,6 +37,10 @@ const std::array<DetailRule, 4> kDetailRules{{
      "Nowhere may the edge of a hair be off by more than this: as few and wide hairs, of as few "
      "segments as it allows.",
      "%.2f px", 0.01f, 16.0f, 0.5f},
+    {"flip", "By FLIP",
+     "As coarse as it may be for this mean error of the picture: the difference that an eye sees "
+     "between it and the one with all hairs (FLIP).",
+     "%.3f", 0.001f, 1.0f, 0.05f},
 }};
 
 const DetailRule& ruleOf(const Detail& detail) {

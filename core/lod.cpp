@@ -57,7 +57,9 @@ bool isHidden(const Cluster& cluster, const Tuft& tuft, const Pelt& pelt, const 
     const auto extent = [&](vec3 e) { return cluster.radius + reachAlong(tuft, pelt, e); };
     const Outline outline = outlineOf(sight, cluster.center, extent);
     if (!outline.known) return false;
-    const vec3 nearest = cluster.center - extent(-sight.forward) * sight.forward;
+    // Hairs are round: their fronts stand before their axes.
+    const float towards = extent(-sight.forward) + 0.5f * pelt.widest;
+    const vec3 nearest = cluster.center - towards * sight.forward;
     const vec4 clip = sight.viewProjection * vec4(nearest, 1.0f);
     if (!(clip.w > 0.0f)) return false;
     constexpr float kRounding = 1e-6f;
@@ -92,6 +94,12 @@ float Sight::distanceTo(vec3 place) const {
 
 Outline outlineOf(const Sight& sight, vec3 center, float radius) {
     return outlineOf(sight, center, [=](vec3) { return radius; });
+}
+
+Outline outlineOf(const Sight& sight, vec3 lower, vec3 upper, float reach) {
+    const vec3 half = 0.5f * (upper - lower);
+    return outlineOf(sight, 0.5f * (lower + upper),
+                     [=](vec3 e) { return glm::dot(half, glm::abs(e)) + reach; });
 }
 
 SkinDepth::SkinDepth(ivec2 corner, int width, std::span<const float> strips) : corner_(corner) {
@@ -175,7 +183,9 @@ InSight lookAt(const Roots& roots, std::span<const Tuft> tufts, const Pelt& pelt
 Fineness finenessOf(const Detail& detail, float deviation, const Fineness& otherwise) {
     if (detail.rule == Detail::Rule::pixels)
         return {kMostSegments, std::max(detail.limit, deviation), true};
-    if (!(deviation > 0.0f)) return otherwise;
+    // Pictures get as close to those of all hairs as is asked for.
+    const bool approaches = detail.rule == Detail::Rule::flip;
+    if (!(deviation > (approaches ? otherwise.tolerance : 0.0f))) return otherwise;
     return {otherwise.segments, std::max(otherwise.tolerance, deviation), true};
 }
 

@@ -31,6 +31,8 @@ struct Outline {
     bool known = false;             // false where it reaches to the eye
 };
 Outline outlineOf(const Sight& sight, vec3 center, float radius);
+// Of all that is within `reach` of a box.
+Outline outlineOf(const Sight& sight, vec3 lower, vec3 upper, float reach);
 
 // The farthest depth of the skin, tile by tile and in a pyramid over them.
 class SkinDepth {

@@ -17,6 +17,8 @@ double Pace::workWithin(double seconds) const {
     return std::max(kAimed * seconds - rest_, kLeastRoom * seconds) / perWork_;
 }
 
+double Pace::secondsOf(double work) const { return rest_ + perWork_ * work; }
+
 void Pace::learn(double work, double workSeconds, double restSeconds) {
     if (work > kLeastWork) perWork_ += kLearning * (workSeconds / work - perWork_);
     rest_ += kLearning * (restSeconds - rest_);

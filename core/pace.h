@@ -8,6 +8,7 @@ public:
     // The work of a frame that should take so many seconds, with a little to spare; some work
     // always fits.
     double workWithin(double seconds) const;
+    double secondsOf(double work) const;  // of a frame
     // From a frame whose parts were timed, s: its work, and what else it did.
     void learn(double work, double workSeconds, double restSeconds);
 

@@ -64,14 +64,24 @@ struct Axis {
     double place(double value) const {
         return from + (to - from) * std::log(value / least) / std::log(greatest / least);
     }
-    std::vector<double> ticks() const {
+    std::vector<double> ticksOf(std::span<const double> steps) const {
         std::vector<double> found;
         for (double decade = std::pow(10.0, std::floor(std::log10(least))); decade <= greatest;
              decade *= 10.0)
-            for (const double step : {1.0, 2.0, 5.0})
+            for (const double step : steps)
                 if (step * decade >= least && step * decade <= greatest)
                     found.push_back(step * decade);
         return found;
+    }
+    // Four of them, if the finest steps of a decade give as many.
+    std::vector<double> ticks() const {
+        static constexpr double kCoarse[] = {1.0, 2.0, 5.0};
+        static constexpr double kMiddle[] = {1.0, 1.5, 2.0, 3.0, 5.0, 7.0};
+        static constexpr double kFine[] = {1.0, 1.2, 1.5, 2.0, 2.5, 3.0,
+                                           4.0, 5.0, 6.0, 7.0, 8.0, 9.0};
+        for (const std::span<const double> steps : {std::span<const double>(kCoarse), {kMiddle}})
+            if (std::vector<double> found = ticksOf(steps); found.size() >= 4) return found;
+        return ticksOf(kFine);
     }
 };
 
@@ -141,8 +151,9 @@ std::string marksOf(const Frame& f, const PlotSeries& series, std::size_t which)
     const double aside = which & 2u ? -6.0 : 6.0, above = which & 1u ? 12.0 : -5.0;
     std::vector<PlotPoint> points;
     std::ranges::copy_if(series.points, std::back_inserter(points), hasPlace);
-    std::string svg =
-        polyline(f, points, std::string("stroke-width=\"1.5\" stroke=\"") + color + "\"");
+    std::string svg;
+    if (series.joined)
+        svg = polyline(f, points, std::string("stroke-width=\"1.5\" stroke=\"") + color + "\"");
     for (const PlotPoint& p : points) {
         const double x = f.x.place(p.x), y = f.y.place(p.y);
         svg += "<circle" + at("cx", x) + at("cy", y) + " r=\"3.5\" fill=\"" + color + "\"";

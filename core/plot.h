@@ -15,7 +15,8 @@ struct PlotPoint {
 
 struct PlotSeries {
     std::string name;
-    std::vector<PlotPoint> points;  // joined by a line in this order
+    std::vector<PlotPoint> points;
+    bool joined = true;  // by a line, in this order
 };
 
 struct Plot {

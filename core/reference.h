@@ -1,11 +1,13 @@
 // reference.h -- the slow, right answer: a picture of the same hairs by ray tracing.
 //
 // Every hair that grows is a round tapered curve of its true width, whatever the style of its coat
-// and the distance; the light it sends is that of shaders/fiber.glsl, as for a polyline.
+// and the distance. What the style decides is how it is lit (shaders/fiber.glsl): ribbons and tubes
+// by the normals of their round sides, all others as thin lines by the normal of the hair.
 #pragma once
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "document.h"
@@ -60,6 +62,7 @@ struct ReferenceView {
     bool orthographic = false;
     Light light{};
     Shadows shadows = Shadows::traced;
+    std::optional<uint> style;  // kStyle... by which both coats are lit; none = each by its own
     uint seed = 1;
 };
 

@@ -52,22 +52,26 @@ vec3 hairRadiance(const TracedDocument& scene, const ReferenceView& view, const 
     const Growth& growth = scene.growth;
     const Fur& fur = growth.fur;
     const Root& root = growth.roots.roots[scene.rootOf[hit.number]];
-    const Strand s = grownStrand(growth, scene.rootOf[hit.number]);
+    Strand s = grownStrand(growth, scene.rootOf[hit.number]);
+    s.style = view.style.value_or(s.coat == 0u ? scene.overStyle : scene.underStyle);
     const Coat& coat = s.coat == 0u ? fur.over : fur.under;
     const Corners corners{growth.skin.triangles[root.triangle], baryWeights(root.bary)};
     const vec3 tint = corners.mixed([&](uint v) { return growth.painted[v].tint; });
     const vec3 base =
         tint * mix(vec3(1.0f), scene.colors.at(root.triangle, corners.weights), fur.skinColor);
+    const vec3 tangent = strandTangent(s, hit.t);
+    FiberLight light;
     if (view.shadows == Shadows::live) {
         const float painted = s.spineLength / max(coat.relativeLength, 1e-6f);
         const float depth = depthInCoat(fur, scene.hairsPerArea() * s.keep, painted,
                                         growth.overWidth, growth.underWidth, s.coat, hit.t);
-        return fiberRadiance(s, coat, view.light, base, hit.t, toEye, depth);
+        light = fiberLight(s, coat, view.light, base, hit.t, tangent, toEye, depth);
+    } else {
+        const Reaching reaching = reachingBy(*scene.rays, hit, s.normal, view.light, sample);
+        light = fiberLitBy(s, coat, view.light.toKey, reaching, base, hit.t, tangent, toEye);
     }
-    const vec3 tangent = strandTangent(s, hit.t);
-    const Reaching light = reachingBy(*scene.rays, hit, s.normal, view.light, sample);
-    return radianceOf(fiberLitBy(s, coat, view.light.toKey, light, base, hit.t, tangent, toEye),
-                      strandNormal(s, tangent), view.light.toKey);
+    const vec3 side = safeUnit(hit.facing - dot(hit.facing, tangent) * tangent, s.binormal);
+    return radianceOf(light, sideNormal(s, tangent, side), view.light.toKey);
 }
 
 vec3 skinRadianceAt(const TracedDocument& scene, const ReferenceView& view, const RayHit& hit,

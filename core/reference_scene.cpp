@@ -77,6 +77,8 @@ void leaveCoats(Curves& curves, const Growth& growth, bool over, bool under) {
 TracedDocument::TracedDocument(const Document& original, const ReferenceOptions& options,
                                Progress* progress)
     : document(standing(original, options.posed)),
+      overStyle(original.fur.over.style),
+      underStyle(original.fur.under.style),
       // Where hairs are rooted and what they gather to is decided on the skin at rest.
       roots(rootsOf(original)),
       growth(growthOf(document, roots, options.seconds)),

@@ -13,7 +13,9 @@
 namespace pelage {
 
 struct TracedDocument {
-    Document document;  // as it stands, both coats as polylines
+    Document document;           // as it stands, both coats as polylines: the style of a line
+                                 // makes hair straight
+    uint overStyle, underStyle;  // by which they are lit
     Roots roots;
     Growth growth;
     BaseColor colors;

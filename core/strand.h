@@ -56,7 +56,10 @@ float depthInCoat(Fur fur, float hairsPerArea, float furLength, float overWidth,
                   uint coat, float t);
 float keyThroughCoat(float depth, vec3 n, vec3 tangent, vec3 l);
 float skyThroughCoat(float depth);
+vec3 sideNormal(Strand s, vec3 tangent, vec3 side);
+float meanFacing(vec3 tangent, vec3 middle, vec3 l);
 vec3 fiberRadiance(Strand s, Coat coat, Light light, vec3 base, float t, vec3 toEye, float depth);
+vec3 roundRadiance(Strand s, Coat coat, Light light, vec3 base, float t, vec3 toEye, float depth);
 vec3 skinRadiance(Light light, Coat under, vec3 base, vec3 n, float depth);
 
 }  // namespace pelage

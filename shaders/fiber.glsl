@@ -92,20 +92,52 @@ FiberLight fiberLight(Strand s, Coat coat, Light light, vec3 base, float t, vec3
     return fiberLitBy(s, coat, light.toKey, reaching, base, t, tangent, toEye);
 }
 
-// Radiance towards the eye of a hair, or of a side of it, that is shaded by this unit normal.
-// Kajiya and Kay, "Rendering fur with three dimensional textures", 1989, for diffuse and specular;
-// half of the diffuse term and the strength of the highlight use the shading normal of Van Gelder
-// and Wilhelms 1997, 3.7, so that each hair catches the light differently.
-vec3 radianceOf(FiberLight f, vec3 shading, vec3 toKey) {
-    float diffuse = 0.5f * (f.sine + max(0.0f, dot(shading, toKey)));
-    return f.ambient + diffuse * f.diffuse + max(0.0f, dot(shading, f.halfway)) * f.specular;
+// Radiance towards the eye of a hair, or of a side of it, that faces light and halfway so far: the
+// cosines with its normal, 0 where it faces away. Kajiya and Kay, "Rendering fur with three
+// dimensional textures", 1989, for diffuse and specular; half of the diffuse term and the strength of
+// the highlight use the shading normal of Van Gelder and Wilhelms 1997, 3.7, so that each hair
+// catches the light differently.
+vec3 radianceFacing(FiberLight f, float key, float halfway) {
+    return f.ambient + (0.5f * (f.sine + key)) * f.diffuse + halfway * f.specular;
 }
 
-// Radiance towards toEye (unit) at t of a hair shaded by its own normal (strandNormal).
+// The same of what is shaded by this unit normal.
+vec3 radianceOf(FiberLight f, vec3 shading, vec3 toKey) {
+    return radianceFacing(f, max(0.0f, dot(shading, toKey)), max(0.0f, dot(shading, f.halfway)));
+}
+
+// The unit normal by which a side of a hair is shaded that faces `side`, unit and across the hair.
+// Of a ribbon it is turned about the hair by its twist.
+vec3 sideNormal(Strand s, vec3 tangent, vec3 side) {
+    if (s.style == kStyleTube) return side;
+    if (s.style == kStyleRibbon) return s.cosTwist * side + s.sinTwist * cross(tangent, side);
+    return strandNormal(s, tangent);
+}
+
+// Mean of max(0, normal . l) over the width of a round hair whose middle is shaded by the unit normal
+// `middle`: half the integral of max(0, cos(x - a)) cos(x) from one edge to the other.
+float meanFacing(vec3 tangent, vec3 middle, vec3 l) {
+    float across = sineBetween(tangent, l);
+    float c = clamp(dot(middle, l) / max(across, 1e-6f), -1.0f, 1.0f);
+    float s = sqrt(1.0f - c * c);
+    return 0.25f * across * ((3.1415927f - angleOf(c, s)) * c + s);
+}
+
+// Radiance towards toEye (unit) at t of a thin line, under a coat of optical depth `depth`.
 vec3 fiberRadiance(Strand s, Coat coat, Light light, vec3 base, float t, vec3 toEye, float depth) {
     vec3 tangent = strandTangent(s, t);
     FiberLight f = fiberLight(s, coat, light, base, t, tangent, toEye, depth);
     return radianceOf(f, strandNormal(s, tangent), light.toKey);
+}
+
+// The same of a ribbon or tube too narrow to tell its sides apart: the mean over its width.
+vec3 roundRadiance(Strand s, Coat coat, Light light, vec3 base, float t, vec3 toEye, float depth) {
+    vec3 tangent = strandTangent(s, t);
+    FiberLight f = fiberLight(s, coat, light, base, t, tangent, toEye, depth);
+    vec3 side = safeUnit(toEye - dot(toEye, tangent) * tangent, s.binormal);
+    vec3 middle = sideNormal(s, tangent, side);
+    return radianceFacing(f, meanFacing(tangent, middle, light.toKey),
+                          meanFacing(tangent, middle, f.halfway));
 }
 
 // Color of the skin between the hairs, under a coat of this optical depth. Where the coat is dense

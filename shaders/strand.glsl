@@ -179,7 +179,9 @@ Strand bendStrand(vec3 root, vec3 n, vec3 painted, float spineLength, Coat coat,
     float load = floppiness * c;
 
     vec3 tangent = painted - dot(painted, n) * n;
-    if (!finite3(tangent) || !(dot(tangent, tangent) > 1e-6f)) tangent = anyTangent(n);
+    // Shorter than this it is what rounding left, which may point into the skin.
+    float least = 1e-6f * max(1.0f, dot(painted, painted));
+    if (!finite3(tangent) || !(dot(tangent, tangent) > least)) tangent = anyTangent(n);
     tangent = safeUnit(tangent, n);
     vec3 end = safeUnit(w + load * (pull + (0.02f * sqrt(dot(pull, pull))) * tangent), tangent);
     if (coat.style == kStyleLine && !isRodCoat(coat)) w = end;
@@ -373,10 +375,10 @@ vec3 strandTangent(Strand s, float t) {
 }
 
 // Corner k of a tube's ring at t: a unit vector from the hair's axis, in the plane across the unit
-// `tangent`. As a NURBS surface the tube is the spine's Bezier curve swept by this ring.
+// `tangent`; where the first one is differs from hair to hair. As a NURBS surface the tube is the spine's Bezier curve swept by this ring.
 vec3 tubeNormal(Strand s, vec3 tangent, uint k, uint sides) {
     vec3 n = safeUnit(cross(s.binormal, tangent), s.normal);
-    float turn = 6.2831853f * float(k) / float(sides);
+    float turn = 6.2831853f * (float(k) / float(sides) + rand01(s.id + kDrawTwist));
     return cos(turn) * n + sin(turn) * cross(tangent, n);
 }
 

@@ -1,13 +1,15 @@
 // strand_raster.comp -- hairs to pixels, one invocation a hair, in two passes over the same code.
 //
 // The first pass (DEPTH_PASS) finds the nearest hair of each pixel with atomicMin on a 32-bit key;
-// the second walks the same pixels and stores the color where its key is the one that won. So each
-// pixel is written once, nothing per hair is kept between the passes, and 64-bit atomics are not
-// needed. A pixel belongs to a hair when its center lies inside the hair's outline: averaged over
-// sub-pixel offsets this is the exact coverage, also of hairs far thinner than a pixel.
+// the second walks the same pixels for the hairs that the skin does not hide, and stores the color
+// where its key is the one that won. So each pixel is written once, only the numbers of those hairs
+// are kept between the passes, and 64-bit atomics are not needed. A pixel belongs to a hair when its
+// center lies inside the hair's outline: averaged over sub-pixel offsets this is the exact coverage,
+// also of hairs far thinner than a pixel.
 //
 // There is one program for each STYLE (kStyle... of types.glsl) with and without SHAPED hair
-// (clumps, curls, frizz) and RODS, so that what a coat does not use costs nothing.
+// (clumps, curls, frizz), RODS and ROUND shading, and for THIN hair, so that what is not used costs
+// nothing.
 #include "frame.glsl"
 #include "strand.glsl"
 #include "fiber.glsl"
@@ -31,20 +33,27 @@ struct Run {     // a prefix of a cluster of roots
     uint pad0;
 };
 
-struct Group {  // of 32 hairs
-    uint run;   // of the first one
-    uint seen;  // bit i: the first pass found that hair i is not hidden
+struct List {   // of the hairs of one program that the first pass found not hidden
+    uint wide;   // groups of 32 that the second pass dispatches, in this and two more dimensions
+    uint high;
+    uint deep;
+    uint count;  // hairs
+    uint segments;
 };
 
 layout(std430, binding = 7) readonly buffer RootsBuffer { Root roots[]; };
 layout(std430, binding = 8) coherent buffer Keys { uint keys[]; };
 layout(std430, binding = 9) readonly buffer Runs { Run runs[]; };
-layout(std430, binding = 10) buffer Counters { uint drawn; uint drawnSegments; };
-layout(std430, binding = 12) buffer Groups { Group groups[]; };
+layout(std430, binding = 10) buffer Counters { List lists[]; };
+layout(std430, binding = 11) buffer Seen { uint seenHairs[]; };  // numbers, list after list
+layout(std430, binding = 12) readonly buffer Groups { uint groups[]; };  // run of the first of 32
 layout(binding = 1) uniform sampler2D skinDepth;
 layout(location = 0) uniform uint coatsHere;  // as frame.coats, of this program
+#ifdef DEPTH_PASS
 layout(location = 1) uniform uvec2 numbers;   // of the hairs: the first one, a multiple of 32, and
                                               // the one after the last
+#endif
+layout(location = 2) uniform uvec2 list;      // its number, and where it begins
 #ifndef DEPTH_PASS
 layout(std430, binding = 6) readonly buffer Mask { float mask[]; };
 layout(std430, binding = 13) readonly buffer SegmentOf { uint segmentOf[]; };
@@ -59,13 +68,27 @@ const uint kMostSegments = 16u;
 const uint kMostSegments = 32u;
 #endif
 #if STYLE == 4
-const uint kColumns = 9u;  // corners of a ring, the first one again at the end
-#elif STYLE == 2
-const uint kColumns = 3u;  // left edge, middle and right edge of a ribbon
+const uint kCorners = 9u;  // of a ring, the first one again at the end
 #else
-const uint kColumns = 2u;  // both edges
+const uint kCorners = 2u;  // both edges
 #endif
+// Mean height of a half disc in diameters, pi / 8: so far the front of a round hair stands before its
+// axis, and so far the ball at its end reaches beyond it.
+const float kMeanBulge = 0.3926991;
+const uint kMostWide = 65535u;  // groups in one dimension, as in strand_pass.cpp
 const float kWidestHalf = 24.0;  // pixels; a hair before the lens does not stall the frame
+
+#ifdef DEPTH_PASS
+// Only these are grown again: in full groups, so that no lane idles for a hair that is hidden.
+void keepSeen(uint number) {
+    uint place = atomicAdd(lists[list.x].count, 1u);
+    seenHairs[list.y + place] = number;
+    if (place % 32u != 0u) return;
+    uint group = place / 32u;
+    if (group < kMostWide) atomicAdd(lists[list.x].wide, 1u);
+    if (group % kMostWide == 0u) atomicAdd(lists[list.x].high, 1u);
+}
+#endif
 
 // Window position (pixels), depth, and width in pixels. In both kinds of projection clip.w is the
 // distance by which widths shrink.
@@ -142,54 +165,114 @@ struct Look {  // what the colors of one hair are made from
     vec3 eye;        // unit, towards it
     float perArea;   // hairs of both coats, 1/m^2
     float painted;   // m, length of the overcoat here
-    bool round;      // a ribbon wide enough to look round
-    uint sides;      // of a tube
+    bool wide;       // so many pixels that its sides are told apart
 };
 
-// Radiance of a hair at t, column by column.
-void colorColumns(Strand s, bool over, Look look, float t, inout vec3 colors[kColumns]) {
-    float depth = depthInCoat(fur, look.perArea, look.painted, frame.overWidth, frame.underWidth,
-                              s.coat, t);
-#if STYLE == 2 || STYLE == 4
-    Ring ring = ringAt(s, t, look.eye);
-    vec3 tangent = ring.tangent;
+float depthAt(Strand s, Look look, float t) {
+    return depthInCoat(fur, look.perArea, look.painted, frame.overWidth, frame.underWidth, s.coat,
+                       t);
+}
+
+#ifdef ROUND
+#define RADIANCE roundRadiance
 #else
-    vec3 tangent = strandTangent(s, t);
+#define RADIANCE fiberRadiance
 #endif
-    FiberLight f;
-    if (over)
-        f = fiberLight(s, fur.over, frame.light, look.base, t, tangent, look.eye, depth);
-    else
-        f = fiberLight(s, fur.under, frame.light, look.base, t, tangent, look.eye, depth);
-#if STYLE == 4
-    for (uint k = 0u; k <= look.sides; ++k)
-        colors[k] = radianceOf(f, tubeNormal(s, tangent, k, look.sides), frame.light.toKey);
-#else
-    colors[0] = radianceOf(f, strandNormal(s, tangent), frame.light.toKey);
-    colors[1] = colors[0];
-#if STYLE == 2
-    colors[2] = colors[0];
-    if (look.round) {
-        for (uint k = 0u; k < 3u; ++k) {
-            vec3 normal = k == 1u ? ring.toward : (float(k) - 1.0) * ring.right;
-            normal = s.cosTwist * normal + s.sinTwist * cross(tangent, normal);
-            colors[k] = radianceOf(f, normal, frame.light.toKey);
-        }
+
+// Radiance of a hair at t, as a whole.
+vec3 wholeColor(Strand s, bool over, Look look, float t) {
+    float depth = depthAt(s, look, t);
+    if (over) return RADIANCE(s, fur.over, frame.light, look.base, t, look.eye, depth);
+    return RADIANCE(s, fur.under, frame.light, look.base, t, look.eye, depth);
+}
+
+#if STYLE == 3
+// One color for the entire hair: the mean of what the coat above leaves to be seen of it.
+vec3 meanColor(Strand s, bool over, Look look, float taper) {
+    const uint kPlaces = 4u;
+    const float kStep = 1.0 / float(kPlaces);
+    vec4 sum = vec4(0.0);
+    for (uint k = 0u; k < kPlaces; ++k) {
+        float t = (float(k) + 0.5) * kStep;
+        float slant = sineBetween(strandTangent(s, t), look.eye) / max(dot(s.normal, look.eye), 0.05);
+        float above = depthAt(s, look, t) - depthAt(s, look, 1.0 - 0.5 * kStep);
+        float weight = (1.0 - taper * t) * exp(-above * slant);
+        sum += weight * vec4(wholeColor(s, over, look, t), 1.0);
     }
-#endif
-#endif
+    return sum.rgb / sum.a;
 }
 #endif
 
-void main() {
-    uint group = numbers.x / 32u + gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-    uint lane = gl_LocalInvocationID.x;
-    uint number = 32u * group + lane;
-    if (number >= numbers.y) return;
-#ifndef DEPTH_PASS
-    if ((groups[group].seen >> lane & 1u) == 0u) return;
+#if STYLE == 2 || STYLE == 4
+// Light on a hair across it, at one point of it.
+struct Shade {
+    vec3 even;      // radiance that is the same all around
+    vec3 diffuse;   // and of a side that faces the key light
+    vec3 specular;  // and of one that faces halfway
+    vec2 key;       // cosines of the key light with the normals of the right side and the middle
+    vec2 halfway;
+};
+
+Shade shadeAt(Strand s, bool over, Look look, float t) {
+    if (!look.wide)
+        return Shade(wholeColor(s, over, look, t), vec3(0.0), vec3(0.0), vec2(0.0), vec2(0.0));
+    float depth = depthAt(s, look, t);
+    Ring ring = ringAt(s, t, look.eye);
+    FiberLight f;
+    if (over)
+        f = fiberLight(s, fur.over, frame.light, look.base, t, ring.tangent, look.eye, depth);
+    else
+        f = fiberLight(s, fur.under, frame.light, look.base, t, ring.tangent, look.eye, depth);
+    vec3 right = sideNormal(s, ring.tangent, ring.right);
+    vec3 middle = sideNormal(s, ring.tangent, ring.toward);
+    Shade shade;
+    shade.even = radianceFacing(f, 0.0, 0.0);
+    shade.diffuse = radianceFacing(f, 1.0, 0.0) - shade.even;
+    shade.specular = f.specular;
+    shade.key = vec2(dot(right, frame.light.toKey), dot(middle, frame.light.toKey));
+    shade.halfway = vec2(dot(right, f.halfway), dot(middle, f.halfway));
+    return shade;
+}
+
+// What is missing in the middle of two points, four times.
+Shade bowOf(Shade a, Shade middle, Shade b) {
+    return Shade(4.0 * middle.even - 2.0 * (a.even + b.even),
+                 4.0 * middle.diffuse - 2.0 * (a.diffuse + b.diffuse),
+                 4.0 * middle.specular - 2.0 * (a.specular + b.specular), vec2(0.0), vec2(0.0));
+}
+
+// Radiance so far along from one point to another, x half widths to the right.
+vec3 colorAcross(Shade a, Shade b, Shade bow, float along, float x) {
+    vec2 normal = vec2(x, sqrt(max(1.0 - x * x, 0.0)));
+    float key = max(0.0, dot(normal, mix(a.key, b.key, along)));
+    float halfway = max(0.0, dot(normal, mix(a.halfway, b.halfway, along)));
+    float bent = along * (1.0 - along);
+    return max(vec3(0.0), mix(a.even, b.even, along) + bent * bow.even) +
+           key * max(vec3(0.0), mix(a.diffuse, b.diffuse, along) + bent * bow.diffuse) +
+           halfway * max(vec3(0.0), mix(a.specular, b.specular, along) + bent * bow.specular);
+}
+#else
+#define Shade vec3
+#define shadeAt wholeColor
+vec3 bowOf(vec3 a, vec3 middle, vec3 b) { return 4.0 * middle - 2.0 * (a + b); }
+
+vec3 colorAcross(vec3 a, vec3 b, vec3 bow, float along, float x) {
+    return max(vec3(0.0), mix(a, b, along) + along * (1.0 - along) * bow);
+}
 #endif
-    uint which = groups[group].run;
+#endif
+
+void main() {
+    uint place = 32u * (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) +
+                 gl_LocalInvocationID.x;
+#ifdef DEPTH_PASS
+    uint number = numbers.x + place;
+    if (number >= numbers.y) return;
+#else
+    if (place >= lists[list.x].count) return;
+    uint number = seenHairs[list.y + place];
+#endif
+    uint which = groups[number / 32u];
     while (number >= runs[which].end) ++which;
     Run run = runs[which];
     uint index = run.first + number - run.begin;
@@ -207,7 +290,8 @@ void main() {
 
     Strand s = grow(root, over);
     if (!(s.spineLength > 0.0)) return;
-    s.width *= fadedWidth(rank / keep, run.lod, run.fade);
+    float widened = fadedWidth(rank / keep, run.lod, run.fade);
+    s.width *= widened;
     float taper = over ? fur.over.taper : fur.under.taper;
 #ifdef SHAPED
     if ((over ? fur.over.clump : fur.under.clump) > 0.0 && root.guide != index) {
@@ -235,6 +319,12 @@ void main() {
 #endif
 #endif
 #endif
+    vec3 eye = toEye(s.origin);
+#if !defined(THIN) || STYLE == 4
+    vec4 nearer = frame.viewProjection * vec4(eye, 0.0);
+    float zPerMetre = 0.5 * (nearer.z * origin.w - origin.z * nearer.w) /
+                      max(origin.w * origin.w, 1e-12);
+#endif
     vec4 points[kMostSegments + 1u];
     vec4 weightless = frame.viewProjection * vec4(s.scale * s.weightless, 0.0);
     vec4 end = frame.viewProjection * vec4(s.scale * s.end, 0.0);
@@ -251,33 +341,70 @@ void main() {
         vec4 clip = origin + k.x * weightless + k.y * end;
 #endif
         points[i] = toWindow(clip, strandWidth(s, taper, at));
-#ifdef DEPTH_PASS
+#if defined(DEPTH_PASS) && defined(THIN)
         if (!seen) seen = mayBeSeen(points[i]);
 #endif
     }
 
-    vec3 eye = toEye(s.origin);
-    float left[kColumns];  // edges of the bands in half widths, at the ring before and at this one
-    float right[kColumns];
-    uint bands = 1u;
-    left[0] = right[0] = -1.0;
-    left[1] = right[1] = 1.0;
-#if STYLE == 2
-    bool isRound = points[0].w > kRoundFrom;
-#ifndef DEPTH_PASS
-    if (isRound) {
-        bands = 2u;
-        left[1] = right[1] = 0.0;
-        left[2] = right[2] = 1.0;
+#ifndef THIN
+    // What is seen of a round hair is its front: towards the root of one that points to the eye. Its
+    // outline stays where it is. Its ends are balls. One that stands for several is as round as each
+    // of them; where hair is narrow all of that fades out.
+    float bulge = kMeanBulge / max(widened, 1e-3) * clamp(points[0].w / kRoundFrom - 1.0, 0.0, 1.0);
+    float zPerPixel = zPerMetre * max(origin.w, 1e-6) / frame.pixelsPerMetre;
+    float rootWidth = points[0].w;
+    float tipWidth = points[segments].w;
+    vec2 fronts = vec2(0.0);  // pixels at both ends of the hair that show its first and last point
+    vec2 balls = vec2(0.0);   // pixels that have the width of its first and last point
+    float pixelsPerZ = 1.0 / zPerPixel;
+    vec2 ahead = vec2(0.0);  // unit, of the hair in the window
+    float sine = 0.0;        // of its angle with the view
+    float cosine = 0.0;
+    float narrowing = 0.0;   // from pixel to pixel
+    for (uint i = 0u; i <= segments; ++i) {
+        vec4 p = points[i];
+        if (i < segments) {
+            vec4 step = points[i + 1u] - p;
+            float across = dot(step.xy, step.xy);
+            float towards = step.z * pixelsPerZ;
+            float perPixel = inversesqrt(max(across, 1e-12));
+            float perLength = inversesqrt(max(across + towards * towards, 1e-12));
+            ahead = perPixel * step.xy;
+            sine = across * perPixel * perLength;
+            cosine = towards * perLength;
+            narrowing = -step.w * perPixel;
+        }
+        float front = bulge * p.w;
+        float back = front * cosine;
+        if (i == 0u) {
+            fronts.x = front - back;
+            balls.x = back = front;
+        } else if (i == segments) {
+            fronts.y = front + back;
+            balls.y = front;
+            back = -front;
+        } else {
+            points[i].w = clamp(p.w + narrowing * back, tipWidth, rootWidth);
+        }
+        points[i].xy -= back * ahead;
+#if STYLE != 4
+        if (p.z > 0.0) points[i].z = max(p.z + sine * front * zPerPixel, 0.0);
+#endif
+#ifdef DEPTH_PASS
+        if (!seen) seen = mayBeSeen(points[i]);
+#endif
     }
 #endif
-#elif STYLE == 4
+
+    float left[kCorners];  // edges of the bands in half widths, at the ring before and at this one
+    float right[kCorners];
+    uint bands = 1u;  // side by side across the hair
+    left[0] = right[0] = -1.0;
+    left[1] = right[1] = 1.0;
+#if STYLE == 4
     bands = frame.sides > 0u ? clamp(frame.sides, 3u, 8u) : sidesFor(points[0].w);
-    vec4 nearer = frame.viewProjection * vec4(eye, 0.0);
-    float zPerMetre = 0.5 * (nearer.z * origin.w - origin.z * nearer.w) /
-                      max(origin.w * origin.w, 1e-12);
-    float nearA[kColumns];  // depth of the corners, in half widths towards the eye
-    float nearB[kColumns];
+    float nearA[kCorners];  // depth of the corners, in half widths towards the eye
+    float nearB[kCorners];
     Ring ringB = ringAt(s, 0.0, eye);
     for (uint k = 0u; k <= bands; ++k) {
         vec2 place = cornerPlace(s, ringB, k, bands);
@@ -288,9 +415,8 @@ void main() {
 
 #ifdef DEPTH_PASS
     if (!seen) return;
-    atomicAdd(drawn, 1u);
-    atomicAdd(drawnSegments, segments);
-    atomicOr(groups[group].seen, 1u << lane);
+    atomicAdd(lists[list.x].segments, segments);
+    keepSeen(number);
 #else
     vec3 field = density;
     if (frame.overlay == 1u)
@@ -303,21 +429,17 @@ void main() {
     look.perArea = frame.hairsPerArea * keep;
     float relative = over ? fur.over.relativeLength : fur.under.relativeLength;
     look.painted = s.spineLength / max(relative, 1e-6);
-#if STYLE == 2
-    look.round = isRound;
-#else
-    look.round = false;
-#endif
-    look.sides = bands;
-    // Color varies slowly along a hair: every second point is enough.
-    vec3 lower[kColumns];
-    vec3 upper[kColumns];
+    look.wide = points[0].w > kRoundFrom;
+    // Color varies slowly along a hair: every second point is enough, and a parabola where those are
+    // far apart.
 #if STYLE == 3
-    colorColumns(s, over, look, 0.5, lower);  // one color for the entire hair
-    upper = lower;
+    Shade lower = meanColor(s, over, look, taper);
+    Shade upper = lower;
 #else
-    colorColumns(s, over, look, 0.0, upper);
+    Shade upper = shadeAt(s, over, look, 0.0);
+    Shade lower = upper;
 #endif
+    Shade bow = bowOf(upper, upper, upper);
 #endif
 
     for (uint i = 0u; i < segments; ++i) {
@@ -329,7 +451,11 @@ void main() {
 #else
         if ((i & 1u) == 0u) {
             lower = upper;
-            colorColumns(s, over, look, min(float(i + 2u) * dt, 1.0), upper);
+            float next = min(float(i + 2u) * dt, 1.0);
+            upper = shadeAt(s, over, look, next);
+            // A loop, because software runs what follows an if in any case.
+            for (uint k = segments; k < 8u; k = 8u)
+                bow = bowOf(lower, shadeAt(s, over, look, 0.5 * (float(i) * dt + next)), upper);
             if (i + 1u == segments) toB = 1.0;  // the last pair of an odd number is half as long
         }
 #endif
@@ -343,17 +469,27 @@ void main() {
         float v0 = steep ? a.x : a.y;
         float v1 = steep ? b.x : b.y;
         float lengthU = u1 - u0;
+#ifndef THIN
+        vec2 moves = vec2(0.0, 1.0);    // where the hair moves on: from, and how fast
+        vec2 narrows = vec2(0.0, 1.0);  // and where it changes its width
+        if (i == 0u || i + 1u == segments) {
+            float whole = max(length(b.xy - a.xy), 1e-3);
+            vec2 first = i == 0u ? vec2(fronts.x, balls.x) / whole : vec2(0.0);
+            vec2 last = i + 1u == segments ? vec2(fronts.y, balls.y) / whole : vec2(0.0);
+            vec2 fast = 1.0 / max(1.0 - first - last, 1e-3);
+            moves = vec2(first.x, fast.x);
+            narrows = vec2(first.y, fast.y);
+        }
+#endif
         float slope = (v1 - v0) / (abs(lengthU) < 1e-6 ? 1e-6 : lengthU);
         float stretch = 0.5 * sqrt(1.0 + min(slope * slope, 1.0));
         int sizeU = steep ? frame.size.y : frame.size.x;
         int sizeV = steep ? frame.size.x : frame.size.y;
         int first = max(int(ceil(max(min(u0, u1), -1.0) - 0.5)), 0);
         int last = min(int(ceil(min(max(u0, u1), 1e6) - 0.5)), sizeU);
-#if STYLE == 2 || STYLE == 4
         // The right of the hair lies towards growing v where it runs up, and against it where it
         // runs to the right.
         float side = (lengthU < 0.0) == steep ? -1.0 : 1.0;
-#endif
 #if STYLE == 4
         ringB = ringAt(s, min(float(i + 1u) * dt, 1.0), eye);
         for (uint k = 0u; k <= bands; ++k) {
@@ -373,7 +509,12 @@ void main() {
             for (int u = first; u < last; ++u) {
                 float f = (float(u) + 0.5 - u0) / lengthU;
                 float v = v0 + slope * (float(u) + 0.5 - u0);
-                float half_ = min(stretch * mix(a.w, b.w, f), kWidestHalf);
+                float width = mix(a.w, b.w, f);
+#ifndef THIN
+                width = mix(a.w, b.w, clamp((f - narrows.x) * narrows.y, 0.0, 1.0));
+                f = clamp((f - moves.x) * moves.y, 0.0, 1.0);
+#endif
+                float half_ = min(stretch * width, kWidestHalf);
                 float z = mix(a.z, b.z, f);
 #if STYLE == 2 || STYLE == 4
                 float e0 = side * mix(left[band], right[band], f);
@@ -394,20 +535,16 @@ void main() {
                 int from = max(int(ceil(edge0 - 0.5)), 0);
                 int to = min(int(ceil(edge1 - 0.5)), sizeV);
                 for (int w = from; w < to; ++w) {
-                    ivec2 at = steep ? ivec2(w, u) : ivec2(u, w);
-                    uint pixel = uint(at.y * frame.size.x + at.x);
+                    ivec2 place = steep ? ivec2(w, u) : ivec2(u, w);
+                    uint pixel = uint(place.y * frame.size.x + place.x);
 #ifdef DEPTH_PASS
                     atomicMin(keys[pixel], key);
 #else
                     if (keys[pixel] == key) {
                         float along = mix(fromA, toB, f);
-                        vec3 color = mix(lower[band], upper[band], along);
-#if STYLE == 2 || STYLE == 4
-                        float x = ((float(w) + 0.5 - v) / half_ - e0) / (e1 - e0);
-                        color = mix(color, mix(lower[band + 1u], upper[band + 1u], along),
-                                    clamp(x, 0.0, 1.0));
-#endif
-                        imageStore(picture, at, vec4(color, 1.0));
+                        float x = clamp(side * (float(w) + 0.5 - v) / half_, -1.0, 1.0);
+                        vec3 color = colorAcross(lower, upper, bow, along, x);
+                        imageStore(picture, place, vec4(color, 1.0));
                     }
 #endif
                 }

@@ -31,7 +31,7 @@ const uint kStylePolyline = 1u; // a set number of segments
 const uint kStyleRibbon = 2u;   // faces the eye, round in its shading; as many segments as it needs
 const uint kStyleCurve = 3u;    // the same curve, one normal and one color for the entire hair
 const uint kStyleTube = 4u;     // NURBS surface: a narrow tube with normals of its own
-const float kRoundFrom = 1.5f;  // pixels; a narrower ribbon is flat
+const float kRoundFrom = 1.5f;  // pixels; a narrower ribbon or tube is shaded as a whole
 
 // How hair bends under its weight.
 const uint kDroopPaper = 0u;     // by the rule of the paper, 3.5

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/cli/measure_report.h"
+#include "core/coat.h"
 #include "core/heat_map.h"
 #include "core/pixels.h"
 #include "core/srgb.h"
@@ -65,13 +66,12 @@ std::string approachTable(const MeasuredEye& eye) {
         "</th></tr>\n";
     for (const Approach& approach : approaches(eye)) {
         const Technique& technique = *approach.technique;
-        const double noise = static_cast<double>(eye.drawing.noise.color);
         html += "<tr>" + cell(technique.name) + cell(markupText(technique.knob)) +
                 cell(textOf("%.4f", approach.coarsest)) + cell(textOf("%.4f", approach.finest)) +
                 cell(!technique.ordered ? "&#8211;"
                      : approach.falls   ? "yes"
                                         : "no") +
-                cell(textOf("%.1f", approach.finest / noise)) +
+                cell(textOf("%.1f", approach.finest / approach.noise)) +
                 cell(markupText(technique.leavesOut), " class=\"wrap\"") + "</tr>\n";
     }
     return html + "</table>\n";
@@ -80,6 +80,7 @@ std::string approachTable(const MeasuredEye& eye) {
 std::string rowLine(const MeasuredEye& eye, const Measured& row, bool front, bool first) {
     const Technique& technique = *row.technique;
     const auto& coverage = row.drawing.coverage;
+    const References& references = eye.referenceOf(row);
     const auto error = [&](const ImageErrors& errors, const TracedPicture& reference) {
         const bool doubt = !(noiseShare(errors.rmse, reference) <= kMostNoise);
         return cell(textOf("%.4f", errors.rmse) + (doubt ? "&#160;?" : ""),
@@ -93,11 +94,11 @@ std::string rowLine(const MeasuredEye& eye, const Measured& row, bool front, boo
            cell(textOf("%.2f", row.msLeast) + "&#8211;" + textOf("%.2f", row.msGreatest)) +
            cell(std::to_string(row.hairsDrawn)) + cell(std::to_string(row.segmentsDrawn)) +
            cell(textOf("%.1f", 1e-6 * static_cast<double>(row.bytes))) +
-           error(row.drawing, eye.drawing) + cell(textOf("%.3f", row.drawing.flip99)) +
+           error(row.drawing, references.drawing) + cell(textOf("%.3f", row.drawing.flip99)) +
            cell(textOf("%.3f", row.drawing.ssim)) +
            cell(coverage ? textOf("%.4f", coverage->areaRatio) : "&#8211;") +
            cell(coverage ? textOf("%.4f", coverage->silhouette) : "&#8211;") +
-           error(row.light, eye.light) + "</tr>\n";
+           error(row.light, references.light) + "</tr>\n";
 }
 
 std::string rowTable(const MeasuredEye& eye) {
@@ -119,11 +120,18 @@ std::string gallery(const MeasuredEye& eye) {
     const auto noiseText = [](const TracedPicture& traced) {
         return "noise " + textOf("%.4f", static_cast<double>(traced.noise.color));
     };
-    std::string html = figure(pictureTag(eye.drawing.image, "reference"),
-                              "reference, light of the live view; " + noiseText(eye.drawing)) +
-                       figure(pictureTag(eye.light.image, "reference"),
-                              "reference, traced light; " + noiseText(eye.light)) +
-                       "<br/>\n";
+    std::string html;
+    for (const References& references : eye.references) {
+        const std::string hair =
+            references.style ? std::string(", hair lit as ") + styleRow().choices[*references.style]
+                             : "";
+        html += figure(pictureTag(references.drawing.image, "reference"),
+                       "reference" + hair + ", light of the live view; " +
+                           noiseText(references.drawing)) +
+                figure(pictureTag(references.light.image, "reference"),
+                       "reference" + hair + ", traced light; " + noiseText(references.light));
+    }
+    html += "<br/>\n";
     for (const Measured& row : eye.rows) {
         const std::string name =
             std::string(row.technique->name) + " " + row.technique->values[row.value];
@@ -145,6 +153,8 @@ std::string intro(const ReportHead& head, const Measurement& m) {
            " times</p>\n<p>Every way to draw hair is held against a ray-traced picture of the same "
            "hairs at their true width. <b>Drawing</b> is the error against a reference that is lit "
            "as the live view lights it, <b>light</b> that against one whose shadows are traced. "
+           "Each style is held against a reference whose hair is lit as that style lights it: thin "
+           "lines by the normal of the skin or their own, ribbons and tubes as round. "
            "<b>ms</b> is the time of the picture whose error stands beside it: a frame at the "
            "median, times the frames that it averages. On yellow is the Pareto front of time and "
            "FLIP: nothing faster is as exact. An error with a question mark is less than five "

@@ -27,15 +27,6 @@ std::vector<bool> frontBy(const MeasuredEye& eye, Figure figure) {
     return front;
 }
 
-OrderedJson errorsJson(const ImageErrors& errors, const TracedPicture& reference) {
-    OrderedJson result = jsonOf(errors);
-    const double share = noiseShare(errors.rmse, reference);
-    result["noise"] = reference.noise.color;
-    result["noiseShare"] = share;
-    result["trusted"] = share <= kMostNoise;
-    return result;
-}
-
 OrderedJson rowJson(const MeasuredEye& eye, const Measured& row, bool front) {
     const Technique& technique = *row.technique;
     return {{"view", eye.name},
@@ -51,8 +42,8 @@ OrderedJson rowJson(const MeasuredEye& eye, const Measured& row, bool front) {
             {"segmentsDrawn", row.segmentsDrawn},
             {"bytes", row.bytes},
             {"front", front},
-            {"drawing", errorsJson(row.drawing, eye.drawing)},
-            {"light", errorsJson(row.light, eye.light)}};
+            {"drawing", errorsJson(row.drawing, eye.referenceOf(row).drawing)},
+            {"light", errorsJson(row.light, eye.referenceOf(row).light)}};
 }
 
 OrderedJson approachJson(const MeasuredEye& eye, const Approach& approach) {
@@ -94,7 +85,7 @@ Plot plotOf(const MeasuredEye& eye, Figure figure, const std::string& error) {
     for (std::size_t i = 0; i < eye.rows.size(); ++i) {
         const Measured& row = eye.rows[i];
         if (i == 0 || row.technique != eye.rows[i - 1].technique)
-            plot.series.push_back({row.technique->name, {}});
+            plot.series.push_back({row.technique->name, {}, row.technique->ordered});
         plot.series.back().points.push_back(
             {row.ms(), figure(row), row.technique->values[row.value], front[i]});
     }
@@ -102,6 +93,15 @@ Plot plotOf(const MeasuredEye& eye, Figure figure, const std::string& error) {
 }
 
 }  // namespace
+
+OrderedJson errorsJson(const ImageErrors& errors, const TracedPicture& reference) {
+    OrderedJson result = jsonOf(errors);
+    const double share = noiseShare(errors.rmse, reference);
+    result["noise"] = reference.noise.color;
+    result["noiseShare"] = share;
+    result["trusted"] = share <= kMostNoise;
+    return result;
+}
 
 std::vector<bool> onFront(const MeasuredEye& eye) { return frontBy(eye, flipOfDrawing); }
 
@@ -116,8 +116,8 @@ OrderedJson reportJson(const ReportHead& head, const Measurement& measurement) {
     for (const MeasuredEye& eye : measurement.eyes) {
         views.push_back({{"name", eye.name},
                          {"distance", eye.camera.distance},
-                         {"drawingNoise", eye.drawing.noise.color},
-                         {"lightNoise", eye.light.noise.color}});
+                         {"drawingNoise", eye.references.front().drawing.noise.color},
+                         {"lightNoise", eye.references.front().light.noise.color}});
         const std::vector<bool> front = onFront(eye);
         for (std::size_t i = 0; i < eye.rows.size(); ++i)
             rows.push_back(rowJson(eye, eye.rows[i], front[i]));
@@ -185,7 +185,7 @@ std::string eyePlots(const ReportHead& head, const Measurement& measurement,
                                plotOf(eye, rmseOfDrawing, "RMSE, linear RGB")};
     plots[0].title = eye.name + ": FLIP of drawing";
     plots[1].title = eye.name + ": RMSE of drawing";
-    plots[1].floor = static_cast<double>(eye.drawing.noise.color) / kMostNoise;
+    plots[1].floor = static_cast<double>(eye.references.front().drawing.noise.color) / kMostNoise;
     plots[1].floorLabel = "5 times the noise of the reference";
     return svgOf(plots, machineText(head, measurement));
 }

@@ -17,6 +17,9 @@ struct ReportHead {
     unsigned cores = 0;
 };
 
+// The figures, with what the noise of the reference is of them.
+OrderedJson errorsJson(const ImageErrors& errors, const TracedPicture& reference);
+
 // Everything but the pictures. `rows` holds one object for each value, view and technique.
 OrderedJson reportJson(const ReportHead& head, const Measurement& measurement);
 

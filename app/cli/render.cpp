@@ -121,6 +121,7 @@ OrderedJson jsonOf(const Options& options, const Document& document, const View&
             {"clustersSmall", stats.clustersSmall},
             {"clustersBald", stats.clustersBald},
             {"deviation", stats.deviation},
+            {"flip", stats.flip},
             {"samples", stats.samples},
             {"msFrame", median(times)},
             {"msFrames", times},
@@ -153,9 +154,9 @@ void render(const Options& options, bool json) {
     if (!options.technique.empty()) setParameter(document.fur, "both.style", options.technique);
     const HeadlessContext context;
     Renderer renderer;
-    const std::vector<double> times = timeFrames(renderer, document, view, options.repeat);
-    const FrameStats stats = drawFinished(renderer, document, view);
+    const FrameStats stats = drawFinished(renderer, document, view);  // settles what FLIP asks for
     writePicture(options.output, renderer, view.size);
+    const std::vector<double> times = timeFrames(renderer, document, view, options.repeat);
     const OrderedJson result = jsonOf(options, document, view, stats, times, renderer);
     if (json) {
         printJson(result);
@@ -216,7 +217,8 @@ void addRender(CLI::App& app, bool& json) {
             "--detail",
             [options](const std::string& text) { options->detail = detailFromText(text); },
             "How many hairs, and how fine: all, distance (fewer and wider ones far away), share:S, "
-            "pixels:P (off by P pixels at most), ms:T (what a frame of T ms can show); a time may "
+            "pixels:P (off by P pixels at most), flip:F (a mean FLIP of F at most against the "
+            "picture of all hairs), ms:T (what a frame of T ms can show); a time may "
             "follow another one after a comma")
         ->type_name("DETAIL")
         ->default_str(textOf(options->detail))

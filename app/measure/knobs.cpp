@@ -24,6 +24,13 @@ void turnPixels(std::size_t value, Fur&, View& view) {
     view.detail = {Detail::Rule::pixels, kPixels[value], 0.0f};
 }
 
+constexpr std::array kFlipNames = {"0.1", "0.05", "0.02"};
+constexpr std::array kFlips = {0.1f, 0.05f, 0.02f};
+
+void turnFlip(std::size_t value, Fur&, View& view) {
+    view.detail = {Detail::Rule::flip, kFlips[value], 0.0f};
+}
+
 void setStyle(Fur& fur, uint style) { fur.over.style = fur.under.style = style; }
 
 constexpr std::array kSegmentNames = {"1", "2", "4", "8", "16"};
@@ -67,18 +74,18 @@ constexpr std::array kTechniques = {
               "hairs thinner than a pixel, which fewer and wider ones stand for"},
     Technique{"detail", "deviation that is asked for", true, kPixelNames, turnPixels,
               "hairs thinner than that, which fewer and wider ones stand for"},
+    Technique{"flip", "FLIP against all hairs that is asked for", true, kFlipNames, turnFlip,
+              "what the eye hardly sees: hairs that fewer and wider ones stand for"},
     Technique{"segments", "segments of a polyline", true, kSegmentNames, turnSegments,
               "edges of pixels beyond 16 samples"},
-    Technique{
-        "ribbon", "deviation from the curve that is allowed", true, kToleranceNames, turnTolerance,
-        "the hair's round ends; it is lit as round across its width, the reference as a line"},
+    Technique{"ribbon", "deviation from the curve that is allowed", true, kToleranceNames,
+              turnTolerance,
+              "edges of pixels beyond 16 samples; the hair's round front, but for its mean"},
     Technique{"style", "how both coats are drawn", false, kStyleNames, turnStyle,
-              "a line: the bend and the hair's own shading; a nurbs-curve: the change of color "
-              "along the hair; ribbon and nurbs-surface are lit as round across their width, the "
-              "reference as a line"},
-    Technique{
-        "sides", "sides of a tube", true, kSideNames, turnSides,
-        "the hair's round ends; it is lit as round across its width, the reference as a line"},
+              "a line: the bend; a nurbs-curve: the change of color along the hair; ribbon and "
+              "nurbs-surface: the sides of hair thinner than 1.5 pixels, but for their mean"},
+    Technique{"sides", "sides of a tube", true, kSideNames, turnSides,
+              "edges of pixels beyond 16 samples; what 8 sides lack of a round outline"},
     Technique{"samples", "frames in the mean", true, kSampleNames, turnSamples,
               "16 segments stand for a curve"},
 };

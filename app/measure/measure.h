@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct TracedPicture {
     Image image;
     ReferenceNoise noise;  // over black
 };
+TracedPicture tracedPicture(const ReferencePicture& picture, ivec2 size);
 
 struct Measured {  // one value of a knob
     const Technique* technique = nullptr;
@@ -39,17 +41,26 @@ struct Measured {  // one value of a knob
     std::size_t segmentsDrawn = 0;
     std::size_t bytes = 0;  // of GPU memory
     Image image{};
-    ImageErrors drawing{};  // against the reference with the light of the live view
-    ImageErrors light{};    // against the reference with traced light
+    std::size_t reference = 0;  // number of those that it is held against
+    ImageErrors drawing{};      // against the reference with the light of the live view
+    ImageErrors light{};        // against the reference with traced light
 
     double ms() const { return samples * msFrame; }  // of the whole picture
+};
+
+// What pictures are held against whose hair is lit by one style.
+struct References {
+    std::optional<uint> style;         // kStyle..., of both coats; none = each its own
+    TracedPicture drawing{}, light{};  // with the light of the live view, and with traced light
 };
 
 struct MeasuredEye {
     std::string name;
     Camera camera;
-    TracedPicture drawing{}, light{};  // the references
-    std::vector<Measured> rows{};      // technique after technique
+    std::vector<References> references{};  // the first of the coats as they are
+    std::vector<Measured> rows{};          // technique after technique
+
+    const References& referenceOf(const Measured& row) const { return references[row.reference]; }
 };
 
 struct Measurement {
@@ -65,6 +76,7 @@ struct Measurement {
 struct Approach {
     const Technique* technique;
     double coarsest, finest;  // RMSE of drawing
+    double noise;             // of the reference of the finest
     bool falls;  // from value to value, except by what the noise of the reference allows
 };
 std::vector<Approach> approaches(const MeasuredEye& eye);

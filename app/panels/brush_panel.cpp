@@ -181,7 +181,7 @@ std::string coarseNote(const App& app) {
 
 void drawBrushPanel(App& app, const Layout& layout) {
     const float top = layout.menu + layout.toolbar;
-    beginPanel("brush", {0, top}, {layout.left, layout.window.y - top - layout.status});
+    beginPanel("brush", {0, top}, {layout.left, layout.window.y - top - layout.bottom()});
     const Ui ui = uiOf(app);
     Brush& brush = app.session.brush();
     caption(ui, "BRUSHES");

@@ -125,6 +125,7 @@ void drawFiles(App& app) {
             if (purpose == Dialog::saveAs) saveTo(app, path, then);
             if (purpose == Dialog::exportAs) exportTo(app, path);
             if (purpose == Dialog::transfer) transferFrom(app, path);
+            if (purpose == Dialog::accuracy) saveAccuracy(app, path);
         }
     }
     ImGui::EndPopup();
@@ -217,6 +218,7 @@ void drawDialogs(App& app) {
         case Dialog::saveAs:
         case Dialog::exportAs:
         case Dialog::transfer:
+        case Dialog::accuracy:
             return drawFiles(app);
         case Dialog::subdivide:
             return drawSubdivide(app);

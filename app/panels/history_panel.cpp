@@ -25,7 +25,8 @@ void drawHistory(App& app) {
 void drawSidePanel(App& app, const Layout& layout) {
     const float top = layout.menu + layout.toolbar;
     beginPanel("side", {layout.window.x - layout.right, top},
-               {layout.right, layout.window.y - top - layout.status}, ImGuiWindowFlags_NoScrollbar);
+               {layout.right, layout.window.y - top - layout.bottom()},
+               ImGuiWindowFlags_NoScrollbar);
     struct Tab {
         const char* label;
         void (*draw)(App&);

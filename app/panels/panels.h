@@ -10,8 +10,11 @@ namespace pelage {
 // Where the parts of the window are, in window units.
 struct Layout {
     ImVec2 window{0, 0};
-    float menu = 0, toolbar = 0, status = 0, timeline = 0;  // heights; no timeline = no clips
-    float left = 0, right = 0;                              // widths of the columns
+    float menu = 0, toolbar = 0, status = 0;  // heights
+    float timeline = 0, accuracy = 0;         // the same; 0 = not there
+    float left = 0, right = 0;                // widths of the columns
+
+    float bottom() const { return status + accuracy; }  // of what is below the columns
 };
 
 float drawMenu(App& app);  // its height
@@ -33,6 +36,7 @@ void drawSegments(App& app);
 uint segmentRow(App& app, uint chosen);
 void drawTimeline(App& app, const Layout& layout);
 void drawMorphTargets(App& app);
+void drawAccuracy(App& app, const Layout& layout);
 void drawStatus(App& app, const Layout& layout);
 void drawDialogs(App& app);
 void drawHelp(App& app);

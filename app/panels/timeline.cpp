@@ -48,7 +48,7 @@ void drawTimeline(App& app, const Layout& layout) {
     const Ui ui = uiOf(app);
     const float width = layout.window.x - layout.left - layout.right;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {app.theme.px(8), app.theme.px(3)});
-    beginPanel("timeline", {layout.left, layout.window.y - layout.status - layout.timeline},
+    beginPanel("timeline", {layout.left, layout.window.y - layout.bottom() - layout.timeline},
                {width, layout.timeline}, ImGuiWindowFlags_NoScrollbar);
     ImGui::PopStyleVar();
     Playback& playback = app.session.playback;

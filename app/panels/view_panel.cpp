@@ -42,8 +42,13 @@ void drawDetail(const Ui& ui, Detail& detail, const FrameStats& stats) {
                         100.0 * static_cast<double>(stats.hairsTried) /
                             static_cast<double>(std::max<std::size_t>(stats.hairsTotal, 1)));
     if (stats.deviation > 0.0f)
-        ImGui::TextDisabled("to keep to its time up to %.2g pixels off",
+        ImGui::TextDisabled("to keep to %s up to %.2g pixels off",
+                            detail.rule == Detail::Rule::flip ? "this" : "its time",
                             static_cast<double>(stats.deviation));
+    if (detail.rule == Detail::Rule::flip)
+        ImGui::TextDisabled("FLIP %.3f asked, %.3f %s", static_cast<double>(detail.limit),
+                            static_cast<double>(stats.flip),
+                            stats.flipMeasured ? "measured" : "expected");
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ enum Storage : unsigned {
     runs = 9,
     counters = 10,
     lines = 11,
+    seen = 11,  // never with lines
     groups = 12,
     segmentOf = 13,
     strips = 14,

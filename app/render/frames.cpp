@@ -9,23 +9,26 @@ namespace pelage {
 
 FrameStats drawFinished(Renderer& renderer, const Document& document, const View& view) {
     FrameStats stats = renderer.draw(document, view);
-    for (int i = 1; i < view.samples && !stats.finished; ++i) stats = renderer.draw(document, view);
+    while (!stats.finished) stats = renderer.draw(document, view);
     return stats;
 }
 
-std::vector<double> timeFrames(Renderer& renderer, const Document& document, View view,
-                               int repeat) {
+double timeFrame(Renderer& renderer, const Document& document, View view, int turn) {
     view.samples = 1;
-    const float yaw = view.camera.yaw;
+    // A camera that moves by less than a pixel makes the picture begin anew.
+    view.camera.yaw += 1e-5f * static_cast<float>(turn + 1);
+    const auto start = std::chrono::steady_clock::now();
+    renderer.draw(document, view);
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+    return time.count();
+}
+
+std::vector<double> timeFrames(Renderer& renderer, const Document& document, const View& view,
+                               int repeat) {
     std::vector<double> times;
     for (int i = 0; i <= repeat; ++i) {
-        // A camera that moves by less than a pixel makes the picture begin anew.
-        view.camera.yaw = yaw + 1e-5f * static_cast<float>(i + 1);
-        const auto start = std::chrono::steady_clock::now();
-        renderer.draw(document, view);
-        const std::chrono::duration<double, std::milli> time =
-            std::chrono::steady_clock::now() - start;
-        if (i > 0) times.push_back(time.count());
+        const double ms = timeFrame(renderer, document, view, i);
+        if (i > 0) times.push_back(ms);
     }
     return times;
 }

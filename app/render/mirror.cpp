@@ -14,13 +14,23 @@
 namespace pelage {
 namespace {
 
-std::vector<Mirror::Part> partsOf(const Source& source) {
-    const uint white = static_cast<uint>(source.materials.size());  // see makeBaseColors
+std::vector<Mirror::Part> partsOf(const Source& source, const BaseColors& colors) {
+    const std::size_t white = source.materials.size();  // see makeBaseColors
     std::vector<Mirror::Part> parts;
-    for (const SourcePart& part : source.parts)
-        parts.push_back({part.firstTriangle, part.triangleCount,
-                         part.material < 0 ? white : static_cast<uint>(part.material)});
+    for (const SourcePart& part : source.parts) {
+        const std::size_t material =
+            part.material < 0 ? white : static_cast<std::size_t>(part.material);
+        parts.push_back({part.firstTriangle, part.triangleCount, static_cast<uint>(material),
+                         colors.materials[material].layer});
+    }
     return parts;
+}
+
+std::vector<uvec3> inOrder(const std::vector<uvec3>& triangles, const std::vector<uint>& order) {
+    std::vector<uvec3> sorted;
+    sorted.reserve(order.size());
+    for (const uint t : order) sorted.push_back(triangles[t]);
+    return sorted;
 }
 
 std::vector<glm::uvec4> trianglesWithMaterial(const Skin& skin,
@@ -80,7 +90,9 @@ void Mirror::uploadSkin(const Skin& skin) {
     BaseColors colors = makeBaseColors(source);
     baseColors_ = std::move(colors.texture);
     materials_.upload(view(colors.materials));
-    parts_ = partsOf(source);
+    parts_ = partsOf(source, colors);
+    patches_ = makePatches(skin);
+    indices_.upload(view(inOrder(source.triangles, patches_.order)));
     triangles_.upload(view(trianglesWithMaterial(skin, parts_)));
     sourceTriangles_.upload(view(source.triangles));
     corners_.upload(view(cornersOf(skin)));
@@ -148,6 +160,7 @@ bool Mirror::update(const Document& document, const std::shared_ptr<const Skin>&
         skinVertices_.upload(view(shown->vertices));
         shown_ = shown;
     }
+    if (newSkin || newPose) boundPatches(patches_, *shown);
     const bool newRoots =
         newSkin || document.fur.hairs != fur_.hairs || document.fur.seed != fur_.seed;
     std::vector<bool> newChunks(document.groom.fur.chunkCount());
@@ -197,8 +210,8 @@ float Mirror::longestHair() const {
 
 std::size_t Mirror::bytes() const {
     return skinVertices_.bytes() + furVertices_.bytes() + triangles_.bytes() +
-           sourceTriangles_.bytes() + corners_.bytes() + mask_.bytes() + segmentOf_.bytes() +
-           rootBuffer_.bytes();
+           sourceTriangles_.bytes() + indices_.bytes() + corners_.bytes() + mask_.bytes() +
+           segmentOf_.bytes() + rootBuffer_.bytes();
 }
 
 }  // namespace pelage

@@ -8,6 +8,7 @@
 #include "app/render/gl.h"
 #include "core/document.h"
 #include "core/lod.h"
+#include "core/patches.h"
 
 namespace pelage {
 
@@ -31,13 +32,16 @@ public:
 
     const Roots& roots() const { return roots_; }
     const std::vector<Tuft>& tufts() const { return tufts_; }  // by cluster, as the skin stands
-    // Runs of triangles that share a material.
-    struct Part {
-        std::size_t firstTriangle = 0, triangleCount = 0;
+    struct Part {                                              // of the source
+        uint firstTriangle = 0, triangleCount = 0;
         uint material = 0;
+        float layer = -1.0f;  // of its base-color texture, -1 = none
     };
     const std::vector<Part>& parts() const { return parts_; }
-    const gl::Buffer& indices() const { return sourceTriangles_; }
+    // Its triangles as it stands, and their corners in the order of the patches.
+    const Patches& patches() const { return patches_; }
+    const gl::Buffer& indices() const { return indices_; }
+    const gl::Buffer& corners() const { return corners_; }
     // As it stands.
     const Skin& skin() const { return *shown_; }
     bool textured() const { return textured_; }
@@ -60,10 +64,11 @@ private:
     std::vector<uvec2> chunksOf_;  // first and last chunk of the groom, by cluster
     bool textured_ = false;
     std::vector<Part> parts_;
+    Patches patches_;
     std::size_t chunksUploaded_ = 0;
     std::vector<float> longestOfChunk_;
     gl::Buffer skinVertices_, furVertices_, triangles_, sourceTriangles_, corners_, materials_,
-        mask_, segmentOf_, rootBuffer_, furBlock_;
+        mask_, segmentOf_, rootBuffer_, furBlock_, indices_;
     gl::Texture baseColors_;
 };
 

@@ -42,8 +42,13 @@ ReferenceOptions referenceOptions(const View& view) {
 }
 
 std::vector<unsigned char> displayed(const ReferencePicture& picture, vec3 background) {
+    return displayed(picture.pixels(), background);
+}
+
+std::vector<unsigned char> displayed(std::span<const vec4> pixels, vec3 background) {
     std::vector<unsigned char> bytes;
-    for (const vec4& pixel : picture.pixels()) {
+    bytes.reserve(4 * pixels.size());
+    for (const vec4& pixel : pixels) {
         const vec3 color = vec3(pixel) + (1.0f - pixel.a) * background;
         for (int c = 0; c < 3; ++c) bytes.push_back(encodedSrgb(color[c]));
         bytes.push_back(255);

@@ -7,11 +7,14 @@
 #include <optional>
 #include <stdexcept>
 
+#include "app/render/canvas.h"
+#include "app/render/check.h"
 #include "app/render/frame_data.h"
 #include "app/render/mirror.h"
 #include "app/render/post_pass.h"
 #include "app/render/skin_pass.h"
 #include "app/render/strand_pass.h"
+#include "core/fidelity.h"
 #include "core/pace.h"
 
 namespace pelage {
@@ -60,31 +63,39 @@ vec2 sampleOffset(int sample) {
     return {fraction(0.5 + n * 0.7548776662466927), fraction(0.5 + n * 0.5698402909980532)};
 }
 
-// What a sample is drawn into.
-struct Canvas {
-    ivec2 size{0};
-    gl::Texture color, depth;
-    gl::Framebuffer target;
-
-    void resize(ivec2 wanted) {
-        if (wanted == size) return;
-        size = wanted;
-        color = gl::makeTexture(size, GL_RGBA16F);
-        glTextureParameteri(color.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-        depth = gl::makeTexture(size, GL_DEPTH_COMPONENT32F);
-        target = gl::makeFramebuffer(color, &depth);
-    }
-};
-
 // Pixels. Where a frame that is bound by time has to deviate by more it is drawn with half as many
 // pixels each way, as few hairs have to be so wide that their pixels cost more than the others
 // would; and with all of them again where that deviates by less.
 constexpr float kBlurFrom = 4.0f, kSharpFrom = 0.5f;
-constexpr float kWidest = 26.0f;  // pixels from the middle of a hair to its edge, and some
+constexpr float kLeastUse = 0.6f;  // share of an error that is asked for
+constexpr float kWidest = 26.0f;   // pixels from the middle of a hair to its edge, and some
+
+struct Box {  // pixels
+    ivec2 lower{0}, upper{0};
+};
 
 Sight sightOf(const FrameData& frame) {
     return {frame.viewProjection,     frame.eye, frame.forward, frame.pixelsPerMetre,
             frame.perspective > 0.0f, frame.size};
+}
+
+Fineness finenessOf(const FrameData& frame) { return {frame.segments, frame.tolerance, false}; }
+
+void begin(PostPass& post, const View& view, const Box& box, ivec2 size) {
+    post.begin(view.background, vec2(box.lower) / vec2(size), vec2(box.upper) / vec2(size));
+}
+
+// What was drawn of the hair.
+struct Sample {
+    InSight seen;
+    Choice chosen;
+    double strandSeconds = 0.0;
+    Box box;  // that the hair stays in
+};
+
+// Whether the time of the hair is measured apart from that of the rest.
+bool isTimed(const Detail& detail) {
+    return detail.milliseconds > 0.0f || detail.rule == Detail::Rule::flip;
 }
 
 // OpenGL 4.5 promises fewer storage buffers than the shaders read; every desktop driver has more.
@@ -99,7 +110,7 @@ void requireCapabilities() {
         const char* name;
     } limits[] = {
         {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 16, "storage buffers"},
-        {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 13, "storage buffers in a compute shader"},
+        {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 15, "storage buffers in a compute shader"},
         {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, 6, "storage buffers in a vertex shader"},
         {GL_MAX_COMPUTE_IMAGE_UNIFORMS, 1, "images in a compute shader"},
     };
@@ -113,6 +124,10 @@ void requireCapabilities() {
 }
 
 }  // namespace
+
+bool samePicture(const View& a, const View& b) {
+    return PictureKey(a) == PictureKey(b) && a.samples == b.samples && a.posed == b.posed;
+}
 
 Light studioLight(const Camera& camera) {
     Light light;
@@ -132,6 +147,11 @@ struct Renderer::Parts {
     gl::Buffer frameBlock;
     Canvas fine, coarse;
     Pace finePace, coarsePace;
+    Fidelity fidelity;
+    FurInView furShown;
+    std::optional<Check> check;
+    bool refined = false;  // the picture began anew, as it had been too coarse
+    double allWork = 0.0;  // of the last sample, had it been drawn with all hairs
     ivec2 size{0};
     std::optional<PictureKey> key;
     int samples = 0;
@@ -151,9 +171,15 @@ struct Renderer::Parts {
 
     FrameData frameData(const Document& document, const View& view, int sample, ivec2 pixels) const;
     void drawSkin(const Canvas& canvas, const FrameData& frame, const View& view);
-    SkinDepth skinDepth(const Canvas& canvas, const Sight& sight, const Pelt& pelt);
+    Box boxOf(const Sight& sight, const Pelt& pelt) const;
     Choice choice(const View& view, const FrameData& frame, const Pelt& pelt, const InSight& seen);
+    // What `choose` takes of what is seen, drawn into a canvas.
+    template <typename Choose>
+    Sample draw(const Document& document, const View& view, const Canvas& canvas, int sample,
+                const Choose& choose);
     void drawSample(const Document& document, const View& view);
+    bool mayCheck(const View& view) const;
+    void drawCheck(const Document& document, const View& view);
     void count(const InSight& seen, const Choice& chosen);
     void display(const View& view);
     mat4 viewProjection(const View& view) const;
@@ -198,6 +224,17 @@ FrameData Renderer::Parts::frameData(const Document& document, const View& view,
     return frame;
 }
 
+// The pixels that skin and hair may reach.
+Box Renderer::Parts::boxOf(const Sight& sight, const Pelt& pelt) const {
+    const Skin& skin = mirror.skin();
+    const float reach = std::max(pelt.reach() * mirror.longestHair(), pelt.clumpReach);
+    const Outline outline = outlineOf(sight, skin.lower, skin.upper, reach);
+    if (!outline.known) return {ivec2(0), sight.size};
+    const vec2 limit(sight.size);
+    return {ivec2(glm::clamp(glm::floor(outline.lower - kWidest), vec2(0.0f), limit)),
+            ivec2(glm::clamp(glm::ceil(outline.upper + kWidest), vec2(0.0f), limit))};
+}
+
 void Renderer::Parts::drawSkin(const Canvas& canvas, const FrameData& frame, const View& view) {
     frameBlock.upload(std::span<const FrameData>(&frame, 1));
     mirror.bind();
@@ -210,72 +247,122 @@ void Renderer::Parts::drawSkin(const Canvas& canvas, const FrameData& frame, con
     const vec4 background(view.background, 1.0f);
     glClearBufferfv(GL_COLOR, 0, &background.x);
     glClearBufferfv(GL_DEPTH, 0, &one);
-    if (view.showSkin) skinPass.draw(mirror);
-}
-
-SkinDepth Renderer::Parts::skinDepth(const Canvas& canvas, const Sight& sight, const Pelt& pelt) {
-    const Skin& skin = mirror.skin();
-    const float reach = std::max(pelt.reach() * mirror.longestHair(), pelt.clumpReach);
-    const Outline outline = outlineOf(sight, skin.center(), skin.radius + reach);
-    ivec2 lower(0), upper(canvas.size);
-    if (outline.known) {
-        const vec2 limit(canvas.size);
-        lower = ivec2(glm::clamp(glm::floor(outline.lower - kWidest), vec2(0.0f), limit));
-        upper = ivec2(glm::clamp(glm::ceil(outline.upper + kWidest), vec2(0.0f), limit));
-    }
-    return strandPass.begin(canvas.depth, frameBlock, canvas.size, lower, upper);
+    std::vector<Range> ranges;
+    if (view.showSkin)
+        ranges = view.culls ? inView(mirror.patches(), sightOf(frame)) : allOf(mirror.patches());
+    stats.trianglesDrawn = 0;
+    for (const Range& range : ranges) stats.trianglesDrawn += range.count;
+    skinPass.draw(mirror, ranges, view.overlay != Overlay::none);
 }
 
 // The detail that is asked for, or as much of it as fits the time.
 Choice Renderer::Parts::choice(const View& view, const FrameData& frame, const Pelt& pelt,
                                const InSight& seen) {
     const Sight sight = sightOf(frame);
-    const Fineness otherwise{frame.segments, frame.tolerance, false};
-    float deviation = 0.0f;  // of the pixels that are drawn
+    const Fineness otherwise = finenessOf(frame);
+    const bool budget = view.detail.rule == Detail::Rule::flip;
+    furShown = budget ? furInView(mirror.roots(), seen, sight, pelt) : FurInView{};
+    // All hairs are not the first try: it would tell nothing of the error of fewer.
+    const float least = refined ? 0.0f : kFinest;
+    const float allowed =
+        budget ? std::max(fidelity.deviationWithin(view.detail.limit, furShown), least) : 0.0f;
+    if (budget) allWork = workOf(seen, sight, pelt, {.rule = Detail::Rule::all}, 0.0f, otherwise);
+    float needed = 0.0f;  // to keep to the time
     if (view.detail.milliseconds > 0.0f) {
         const Pace& pace = blurred ? coarsePace : finePace;
         const double work = pace.workWithin(1e-3 * static_cast<double>(view.detail.milliseconds));
-        deviation = deviationWithin(work, seen, sight, pelt, view.detail, otherwise);
+        needed = deviationWithin(work, seen, sight, pelt, view.detail, otherwise);
     }
-    blurs = deviation > (blurred ? kSharpFrom : kBlurFrom);
+    blurs = needed > (blurred ? kSharpFrom : kBlurFrom);
+    const float deviation = std::max(allowed, needed);  // of the pixels that are drawn
     stats.deviation = blurred ? 2.0f * deviation : deviation;
+    stats.flip = fidelity.flipAt(stats.deviation, furShown);
+    stats.flipMeasured = false;
     return choose(mirror.roots(), seen, sight, pelt, view.detail, deviation, otherwise);
+}
+
+template <typename Choose>
+Sample Renderer::Parts::draw(const Document& document, const View& view, const Canvas& canvas,
+                             int sample, const Choose& choose) {
+    FrameData frame = frameData(document, view, sample, canvas.size);
+    const Pelt pelt = peltOf(document.fur, frame.coats, frame.overWidth, frame.underWidth,
+                             document.skin->area, mirror.longestHair());
+    drawSkin(canvas, frame, view);
+    const Box box = boxOf(sightOf(frame), pelt);
+    const SkinDepth depth =
+        strandPass.begin(canvas.depth, frameBlock, canvas.size, box.lower, box.upper);
+    // The parts of a frame can only be told apart where each waits for the one before.
+    const auto start = Clock::now();
+    Sample drawn;
+    drawn.box = box;
+    drawn.seen =
+        lookAt(mirror.roots(), mirror.tufts(), pelt, sightOf(frame), view.culls ? &depth : nullptr);
+    drawn.chosen = choose(frame, pelt, drawn.seen);
+    const Fineness& fineness = drawn.chosen.fineness;
+    frame.segments = fineness.segments;
+    frame.tolerance = fineness.tolerance;
+    frame.adapts = fineness.adapts ? 1u : 0u;
+    frameBlock.upload(std::span<const FrameData>(&frame, 1));
+    strandPass.draw(mirror, document.fur, pelt.coats,
+                    planStrands(mirror.roots(), drawn.chosen, fineness.adapts), frameBlock,
+                    canvas.color, canvas.depth);
+    if (isTimed(view.detail)) glFinish();
+    drawn.strandSeconds = secondsSince(start);
+    return drawn;
 }
 
 void Renderer::Parts::drawSample(const Document& document, const View& view) {
     const auto start = Clock::now();
-    const bool bounded = view.detail.milliseconds > 0.0f;
-    blurred = bounded && blurs;
+    blurred = view.detail.milliseconds > 0.0f && blurs;
     if (blurred) coarse.resize((view.size + 1) / 2);
     const Canvas& canvas = blurred ? coarse : fine;
-    FrameData frame = frameData(document, view, samples, canvas.size);
-    const Pelt pelt = peltOf(document.fur, frame.coats, frame.overWidth, frame.underWidth,
-                             document.skin->area, mirror.longestHair());
-    drawSkin(canvas, frame, view);
-    const SkinDepth depth = skinDepth(canvas, sightOf(frame), pelt);
-    // The parts of a frame can only be told apart where each waits for the one before.
-    const auto strandStart = Clock::now();
-    const InSight seen =
-        lookAt(mirror.roots(), mirror.tufts(), pelt, sightOf(frame), view.culls ? &depth : nullptr);
-    const Choice chosen = choice(view, frame, pelt, seen);
-    frame.segments = chosen.fineness.segments;
-    frame.tolerance = chosen.fineness.tolerance;
-    frame.adapts = chosen.fineness.adapts ? 1u : 0u;
-    frameBlock.upload(std::span<const FrameData>(&frame, 1));
-    strandPass.draw(mirror, document.fur, pelt.coats,
-                    planStrands(mirror.roots(), chosen, chosen.fineness.adapts), frameBlock,
-                    canvas.color, canvas.depth);
-    if (bounded) glFinish();
-    const double strandSeconds = secondsSince(strandStart);
-
+    const auto choose = [&](const FrameData& frame, const Pelt& pelt, const InSight& seen) {
+        return choice(view, frame, pelt, seen);
+    };
+    const Sample sample = draw(document, view, canvas, samples, choose);
+    if (samples == 0) begin(postPass, view, sample.box, canvas.size);
     if (!single) postPass.accumulate(canvas.color, samples == 0);
     ++samples;
     display(view);
     glFinish();
     stats.seconds = secondsSince(start);
     (blurred ? coarsePace : finePace)
-        .learn(chosen.work, strandSeconds, stats.seconds - strandSeconds);
-    count(seen, chosen);
+        .learn(sample.chosen.work, sample.strandSeconds, stats.seconds - sample.strandSeconds);
+    count(sample.seen, sample.chosen);
+}
+
+// Whether the picture, once it is complete, is to be held against that of all hairs. Not where it
+// had to keep to a time, nor where that would take too long.
+bool Renderer::Parts::mayCheck(const View& view) const {
+    return view.detail.rule == Detail::Rule::flip && view.detail.milliseconds == 0.0f &&
+           !stats.flipMeasured && finePace.secondsOf(allWork) <= view.patience;
+}
+
+void Renderer::Parts::drawCheck(const Document& document, const View& view) {
+    if (!check) check.emplace();
+    check->resize(view.size);
+    if (check->samples > samples) check->samples = 0;
+    if (check->samples < samples) {
+        const auto choose = [&](const FrameData& frame, const Pelt& pelt, const InSight& seen) {
+            return pelage::choose(mirror.roots(), seen, sightOf(frame), pelt,
+                                  {.rule = Detail::Rule::all}, 0.0f, finenessOf(frame));
+        };
+        const Sample sample = draw(document, view, check->canvas, check->samples, choose);
+        if (check->samples == 0) begin(check->post, view, sample.box, view.size);
+        check->add();
+        glFinish();
+    }
+    if (check->samples < samples) return;
+    stats.flip = check->errorOf(postPass, fine);
+    stats.flipMeasured = true;
+    display(view);
+    const float asked = view.detail.limit;
+    const bool missed = stats.flip > asked;
+    const bool wastes = !refined && stats.flip < kLeastUse * asked && stats.deviation < kCoarsest;
+    if (!missed && !wastes) return;
+    fidelity.learn(asked, stats.flip, stats.deviation, furShown);
+    refined = missed;
+    samples = 0;
 }
 
 void Renderer::Parts::count(const InSight& seen, const Choice& chosen) {
@@ -315,7 +402,12 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
     const int wanted = std::clamp(view.samples, 1, 1024);
     // A single sample is shown as it is and not kept in the sum, so more of them begin anew.
     const bool single = wanted == 1;
-    if (changed || !p.key || !(*p.key == key) || (p.single && !single)) p.samples = 0;
+    if (changed || !p.key || !(*p.key == key)) {
+        p.samples = 0;
+        if (p.check) p.check->samples = 0;
+        p.refined = false;
+    }
+    if (p.single && !single) p.samples = 0;
     if (p.key && p.key->detail != key.detail) p.blurs = false;
     p.key = key;
     p.single = single;
@@ -323,28 +415,18 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
 
     if (p.samples < wanted)
         p.drawSample(document, view);
+    else if (p.mayCheck(view))
+        p.drawCheck(document, view);
     else if (!view.lines.empty() || p.linesShown)
         p.display(view);
     p.linesShown = !view.lines.empty();
-    p.stats.finished = p.samples >= wanted;
+    p.stats.finished = p.samples >= wanted && !p.mayCheck(view);
     return p.stats;
 }
 
 unsigned Renderer::texture() const { return parts_->postPass.picture().name(); }
 
-std::vector<unsigned char> Renderer::pixels() const {
-    const ivec2 size = parts_->size;
-    const std::size_t row = static_cast<std::size_t>(size.x) * 4;
-    std::vector<unsigned char> upward(row * static_cast<std::size_t>(size.y));
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTextureImage(texture(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(upward.size()),
-                      upward.data());
-    std::vector<unsigned char> downward(upward.size());
-    for (std::size_t y = 0; y < static_cast<std::size_t>(size.y); ++y)
-        std::copy_n(upward.begin() + static_cast<std::ptrdiff_t>(y * row), row,
-                    downward.end() - static_cast<std::ptrdiff_t>((y + 1) * row));
-    return downward;
-}
+std::vector<unsigned char> Renderer::pixels() const { return parts_->postPass.pixels(); }
 
 std::string Renderer::device() const {
     return std::string(reinterpret_cast<const char*>(glGetString(GL_RENDERER))) + ", " +

@@ -33,10 +33,14 @@ struct View {
     Detail detail;                      // how many hairs, and how fine
     bool culls = true;                  // leaves out early what cannot be seen; changes no picture
     int samples = 1;                    // frames that the still picture averages, [1, 1024]
+    double patience = 1e9;  // s that a frame of all hairs may take, for the error to be measured
     vec3 background{0.58f, 0.63f, 0.69f};  // linear RGB
     std::span<const OverlayLine> lines;
     bool operator==(const View&) const = delete;
 };
+
+// True if both give the same picture of a document, but for lines.
+bool samePicture(const View& a, const View& b);
 
 // A key light over the shoulder, so that the animal is lit from wherever it is looked at.
 Light studioLight(const Camera& camera);
@@ -50,10 +54,13 @@ struct FrameStats {
     // Triangles near each other with their hair: all are drawn or left out for one of four reasons.
     std::size_t clusters = 0, clustersDrawn = 0, clustersOutside = 0, clustersHidden = 0,
                 clustersSmall = 0, clustersBald = 0;
-    float deviation = 0.0f;  // pixels by which it is coarser to keep to its time
-    double seconds = 0.0;    // to the end of the GPU's work
-    int samples = 0;         // averaged in the picture so far
-    bool finished = false;   // nothing will change unless document or view do
+    std::size_t trianglesDrawn = 0;  // of the skin
+    float deviation = 0.0f;     // pixels by which it is coarser to keep to its FLIP or its time
+    float flip = 0.0f;          // where one is asked for: the error (fidelity.h), as reckoned
+    bool flipMeasured = false;  // or as measured, once the picture is complete
+    double seconds = 0.0;       // to the end of the GPU's work
+    int samples = 0;            // averaged in the picture so far
+    bool finished = false;      // nothing will change unless document or view do
 };
 
 // Needs a current OpenGL 4.5 context, the same for its whole life. Throws std::runtime_error that
@@ -67,7 +74,10 @@ public:
 
     // Draws one more sample of the picture. If document and view (apart from lines) are those of
     // the call before, the sample is averaged in until view.samples are reached, and after that
-    // only the lines are drawn anew, if they changed. Otherwise the picture begins anew.
+    // only the lines are drawn anew, if they changed. Otherwise the picture begins anew. Where a
+    // FLIP is asked for and no time, a complete picture is then held against that of all hairs,
+    // drawn aside one sample a call, and begins anew until it has no greater error
+    // and uses most of what it may have.
     FrameStats draw(const Document& document, const View& view);
 
     // The finished picture: RGBA8, display-encoded (sRGB), view.size, first row at the bottom.

@@ -9,11 +9,12 @@ namespace pelage {
 class SkinPass {
 public:
     SkinPass();
-    // Into the bound framebuffer, with the frame block and the mirror bound.
-    void draw(const Mirror& mirror) const;
+    // These triangles into the bound framebuffer, with the frame block and the mirror bound.
+    // `shows` where there is an overlay.
+    void draw(const Mirror& mirror, std::span<const Range> ranges, bool shows) const;
 
 private:
-    Program program_;
+    Program plain_, textured_, overlay_;
     gl::VertexArray vertexArray_;
 };
 

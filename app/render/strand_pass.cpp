@@ -2,6 +2,9 @@
 #include "app/render/strand_pass.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
 #include <string>
 
 #include "core/elastica.h"
@@ -18,28 +21,35 @@ void dispatch(uint groups) {
 }
 
 // Keeps some room, so that the buffer is not made anew in every frame of a moving view.
+void reserve(gl::Buffer& buffer, std::size_t bytes) {
+    if (buffer.bytes() < bytes || buffer.bytes() == 0) buffer.resize(bytes * 3 / 2);
+}
+
 template <typename T>
 void replace(gl::Buffer& buffer, const std::vector<T>& values) {
-    const std::size_t bytes = values.size() * sizeof(T);
-    if (buffer.bytes() < bytes || buffer.bytes() == 0)
-        buffer.resize(std::max<std::size_t>(bytes * 3 / 2, sizeof(T)));
+    reserve(buffer, values.size() * sizeof(T));
     buffer.write(0, std::span<const T>(values));
 }
+
+constexpr std::size_t kLists = 4;  // at most two coats, wide and narrow
 
 }  // namespace
 
 StrandPass::StrandPass() : keyProgram_(Program::compute("depth_keys.comp")) {
-    counters_.resize(16);
+    counters_.resize(kLists * sizeof(SeenList));
 }
 
 // Made when a coat first needs them.
-const StrandPass::Pair& StrandPass::programsOf(uint style, const Coat& coat) {
+const StrandPass::Pair& StrandPass::programsOf(uint style, const Coat& coat, bool thin) {
     const bool shaped = isShapedCoat(coat), rods = coat.droop == kDroopElastica;
-    const Kind kind(style, shaped, rods);
+    const bool round = coat.style == kStyleRibbon || coat.style == kStyleTube;
+    const Kind kind(style, shaped, rods, round, thin);
     const auto known = programs_.find(kind);
     if (known != programs_.end()) return known->second;
     std::vector<std::string> defines{"STYLE " + std::to_string(style)};
     if (shaped) defines.push_back("SHAPED");
+    if (round) defines.push_back("ROUND");
+    if (thin) defines.push_back("THIN");
     if (rods) {
         defines.push_back("RODS");
         if (rodTable_.bytes() == 0)
@@ -52,15 +62,16 @@ const StrandPass::Pair& StrandPass::programsOf(uint style, const Coat& coat) {
 }
 
 // Both coats at once where they are drawn alike.
-void StrandPass::addParts(std::vector<Part>& parts, const Fur& fur, uint coats, uint begin,
-                          uint end, bool narrow) {
+void StrandPass::addParts(std::vector<Part>& parts, const Fur& fur, uint coats,
+                          const StrandPlan& plan, bool thin) {
+    const uint begin = thin ? plan.narrowBegin : 0, end = thin ? plan.end : plan.wideEnd;
     if (begin == end) return;
     const std::size_t before = parts.size();
     for (const uint bit : {1u, 2u}) {
         if (!(coats & bit)) continue;
         const Coat& coat = bit == 1 ? fur.over : fur.under;
-        const bool line = narrow && coat.style == kStyleRibbon;
-        const Pair* programs = &programsOf(line ? kStylePolyline : coat.style, coat);
+        const bool line = thin && plan.thinRibbonsAreLines && coat.style == kStyleRibbon;
+        const Pair* programs = &programsOf(line ? kStylePolyline : coat.style, coat, thin);
         if (parts.size() > before && parts.back().programs == programs)
             parts.back().coats |= bit;
         else
@@ -97,12 +108,18 @@ void StrandPass::draw(const Mirror& mirror, const Fur& fur, uint coats, const St
                       const gl::Buffer& frameBlock, const gl::Texture& picture,
                       const gl::Texture& skinDepth) {
     std::vector<Part> parts;  // makes what is bound below, when it is first needed
-    addParts(parts, fur, coats, 0, plan.wideEnd, false);
-    addParts(parts, fur, coats, plan.narrowBegin, plan.end, true);
+    addParts(parts, fur, coats, plan, false);
+    addParts(parts, fur, coats, plan, true);
     replace(runs_, plan.runs);
     replace(groups_, plan.groups);
-    const uvec2 zero(0);
-    counters_.write(0, std::span<const uvec2>(&zero, 1));
+    counters_.upload(std::span<const SeenList>(std::array<SeenList, kLists>{}));
+    tried_ = 0;
+    assert(parts.size() <= kLists);
+    for (Part& part : parts) {
+        part.seen = static_cast<uint>(tried_);
+        tried_ += part.end - part.begin;
+    }
+    reserve(seen_, tried_ * sizeof(uint));
 
     mirror.bind();
     frameBlock.bindUniform(binding::frame);
@@ -110,29 +127,40 @@ void StrandPass::draw(const Mirror& mirror, const Fur& fur, uint coats, const St
     runs_.bindStorage(binding::runs);
     groups_.bindStorage(binding::groups);
     counters_.bindStorage(binding::counters);
+    seen_.bindStorage(binding::seen);
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, counters_.name());
     if (rodTable_.bytes() > 0) rodTable_.bindStorage(binding::rodTable);
     glBindTextureUnit(binding::skinDepth, skinDepth.name());
     glBindImageTexture(0, picture.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16F);
 
-    tried_ = 0;
-    for (const auto pass : {&Pair::depth, &Pair::color}) {
-        for (const Part& part : parts) {
-            (part.programs->*pass).use();
-            glUniform1ui(0, part.coats);
-            glUniform2ui(1, part.begin, part.end);
-            dispatch((part.end - part.begin + 31) / 32);
-        }
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    for (uint i = 0; i < parts.size(); ++i) {
+        parts[i].programs->depth.use();
+        glUniform1ui(0, parts[i].coats);
+        glUniform2ui(1, parts[i].begin, parts[i].end);
+        glUniform2ui(2, i, parts[i].seen);
+        dispatch((parts[i].end - parts[i].begin + 31) / 32);
     }
-    for (const Part& part : parts) tried_ += part.end - part.begin;
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
-                    GL_BUFFER_UPDATE_BARRIER_BIT);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    for (uint i = 0; i < parts.size(); ++i) {
+        parts[i].programs->color.use();
+        glUniform1ui(0, parts[i].coats);
+        glUniform2ui(2, i, parts[i].seen);
+        glDispatchComputeIndirect(static_cast<GLintptr>(i * sizeof(SeenList)));
+    }
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                    GL_FRAMEBUFFER_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 StrandPass::Counts StrandPass::counts() const {
-    uvec2 drawn(0);
-    glGetNamedBufferSubData(counters_.name(), 0, sizeof drawn, &drawn);
-    return {tried_, drawn.x, drawn.y};
+    std::array<SeenList, kLists> lists;
+    glGetNamedBufferSubData(counters_.name(), 0, sizeof lists, lists.data());
+    Counts counts;
+    counts.tried = tried_;
+    for (const SeenList& list : lists) {
+        counts.hairs += list.count;
+        counts.segments += list.segments;
+    }
+    return counts;
 }
 
 }  // namespace pelage

@@ -24,18 +24,21 @@ struct StrandPlan {
         float phase = 0.0f, step = 1.0f;  // of the ranks, see rankOf
         uint pad = 0;
     };
-    struct Group {     // of 32 hairs
-        uint run = 0;  // that its first hair belongs to
-        uint seen = 0;
-    };
     std::vector<Run> runs;
-    std::vector<Group> groups;
-    uint wideEnd = 0;               // hairs below it are drawn in the style of their coat,
-    uint narrowBegin = 0, end = 0;  // these with ribbons as polylines; begins a group
+    std::vector<uint> groups;       // of 32 hairs: the run that the first one belongs to
+    uint wideEnd = 0;               // hairs below it may be wide enough to look round,
+    uint narrowBegin = 0, end = 0;  // these are not; begins a group
+    bool thinRibbonsAreLines = false;
 };
 
-// `splits` where there are ribbons that may be drawn as polylines where they are narrow.
-StrandPlan planStrands(const Roots& roots, const Choice& choice, bool splits);
+// `adapts` where narrow ribbons may be drawn as polylines.
+StrandPlan planStrands(const Roots& roots, const Choice& choice, bool adapts);
+
+// Of the hairs of one program that are not hidden, as in shaders/strand_raster.comp: groups of 32
+// as glDispatchComputeIndirect reads them, hairs and their segments.
+struct SeenList {
+    uint wide = 0, high = 0, deep = 1, count = 0, segments = 0;
+};
 
 class StrandPass {
 public:
@@ -57,7 +60,7 @@ public:
     };
     Counts counts() const;  // of the last draw; waits for the GPU
     std::size_t bytes() const {
-        return keys_.bytes() + strips_.bytes() + runs_.bytes() + groups_.bytes() +
+        return keys_.bytes() + strips_.bytes() + runs_.bytes() + groups_.bytes() + seen_.bytes() +
                rodTable_.bytes();
     }
 
@@ -70,15 +73,18 @@ private:
         const Pair* programs;
         uint coats;
         uint begin, end;  // numbers of hairs
+        uint seen = 0;    // where those not hidden begin in their buffer
     };
-    using Kind = std::tuple<uint, bool, bool>;  // style, whether it is shaped, whether it is rods
-    const Pair& programsOf(uint style, const Coat& coat);
-    void addParts(std::vector<Part>& parts, const Fur& fur, uint coats, uint begin, uint end,
-                  bool narrow);
+    // Style; whether it is shaped, rods, shaded as round, thin.
+    using Kind = std::tuple<uint, bool, bool, bool, bool>;
+    const Pair& programsOf(uint style, const Coat& coat, bool thin);
+    void addParts(std::vector<Part>& parts, const Fur& fur, uint coats, const StrandPlan& plan,
+                  bool thin);
 
     Program keyProgram_;
     std::map<Kind, Pair> programs_;
     gl::Buffer keys_, strips_, runs_, groups_, counters_;
+    gl::Buffer seen_;      // numbers of the hairs that are not hidden
     gl::Buffer rodTable_;  // filled when a coat first needs it
     std::size_t tried_ = 0;
 };

@@ -16,19 +16,20 @@ void append(StrandPlan& plan, const Cluster& cluster, const Choice::Drawn& drawn
                          .phase = cluster.phase,
                          .step = 1.0f / static_cast<float>(cluster.count)});
     plan.end += drawn.hairs;
-    while (plan.groups.size() * kGroupSize < plan.end) plan.groups.push_back({.run = run});
+    while (plan.groups.size() * kGroupSize < plan.end) plan.groups.push_back(run);
 }
 
 }  // namespace
 
-StrandPlan planStrands(const Roots& roots, const Choice& choice, bool splits) {
+StrandPlan planStrands(const Roots& roots, const Choice& choice, bool adapts) {
     StrandPlan plan;
+    plan.thinRibbonsAreLines = adapts;
     for (const Choice::Drawn& drawn : choice.clusters)
-        if (!splits || !drawn.narrow) append(plan, roots.clusters[drawn.cluster], drawn);
+        if (!drawn.narrow) append(plan, roots.clusters[drawn.cluster], drawn);
     plan.wideEnd = plan.end;
     plan.narrowBegin = plan.end = (plan.end + kGroupSize - 1) / kGroupSize * kGroupSize;
     for (const Choice::Drawn& drawn : choice.clusters)
-        if (splits && drawn.narrow) append(plan, roots.clusters[drawn.cluster], drawn);
+        if (drawn.narrow) append(plan, roots.clusters[drawn.cluster], drawn);
     return plan;
 }
 

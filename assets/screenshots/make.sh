@@ -53,6 +53,9 @@ xvfb-run -a -s "-screen 0 1280x720x24" bash -c '
     editor=$!
     sleep "${SECONDS_TO_SETTLE:-30}"
     import -window root window.png
+    xdotool key shift+n
+    sleep "${SECONDS_TO_MEASURE:-60}"
+    import -window root -quality 90 accuracy.jpg
     kill "$editor"
     wait "$editor" || true
 ' _ "$program"

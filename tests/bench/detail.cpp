@@ -4,15 +4,29 @@
 // From near to far the median of a frame of all hairs and of one off by at most half a pixel, drawn
 // in turns; then 300 frames of a camera that turns around the animal and moves away and back, each
 // asked to take 33 ms.
+//
+// pelage_detail MODEL PRESET HAIRS SIZE: what a FLIP of 0.1, 0.05 and 0.02 that is asked for gives:
+// a mesh file or "animal" with so many hairs of a preset, in square pictures of so many pixels, 16
+// samples, from close, middle and far. The error is the mean of FLIP against the picture of all
+// hairs and against the reference with the light of the live view.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <memory>
+#include <string>
 #include <vector>
 
+#include "app/measure/knobs.h"
+#include "app/render/frames.h"
 #include "app/render/headless.h"
-#include "app/render/renderer.h"
+#include "app/render/reference_view.h"
 #include "core/animal.h"
+#include "core/flip.h"
+#include "core/pixels.h"
+#include "core/preset_file.h"
+#include "core/skin_query.h"
+#include "core/source.h"
 
 namespace pelage {
 namespace {
@@ -75,10 +89,80 @@ void followPath(Renderer& renderer, const Document& document, View view) {
         quantile(times, 1.0), quantile(deviations, 0.5));
 }
 
-void run() {
-    const Document document = hairyAnimal();
+Document modelOf(const std::string& file, const std::string& preset, const std::string& hairs) {
+    Document document = file == "animal" ? groomedAnimal(126000) : openDocument(readSource(file));
+    const uint seed = document.fur.seed;
+    document.fur = findPreset(preset).fur;
+    document.fur.seed = seed;
+    document.fur.hairs = static_cast<uint>(std::stoul(hairs));
+    return document;
+}
+
+Camera cameraAt(const Document& document, float share) {
+    float longest = 0.0f;
+    for (uint v = 0; v < document.skin->vertices.size(); ++v)
+        longest = std::max(longest, document.groom.fur[v].furLength);
+    Camera camera =
+        framed(document.skin->center(), document.skin->radius + longest, 0.61f, 0.21f, 1.0f);
+    if (share < 1.0f)
+        if (const auto hit = SkinQuery(document.skin).cast(camera.eye(), camera.forward()))
+            camera.target = hit->position;
+    camera.distance *= share;
+    return camera;
+}
+
+double meanFlip(const Image& image, const Image& reference) {
+    double sum = 0.0;
+    for (const float value : flip(image, reference).values) sum += static_cast<double>(value);
+    return sum / static_cast<double>(image.pixels.size());
+}
+
+void keepBudgets(Renderer& renderer, const Document& document, int side) {
+    View view;
+    view.size = ivec2(side);
+    view.samples = 16;
+    const auto scene = std::make_shared<const ReferenceScene>(document, referenceOptions(view));
+    const auto drawn = [&](const Detail& detail) {
+        view.detail = detail;
+        drawFinished(renderer, document, view);
+        return linearImage({view.size, renderer.pixels()});
+    };
+    const auto milliseconds = [&] { return median(timeFrames(renderer, document, view, 5)); };
+    std::printf("%7s %6s %9s | %6s %6s %9s | %7s %8s %6s\n", "view", "asked", "pixels off", "FLIP",
+                "to ref", "all to ref", "hairs", "ms", "ratio");
+    for (const Nearness& nearness : nearnesses()) {
+        view.camera = cameraAt(document, nearness.share);
+        ReferenceView traced = referenceView(view);
+        traced.shadows = Shadows::live;
+        ReferencePicture picture(scene, traced);
+        picture.add(64);
+        const Image reference = linearImage({view.size, displayed(picture, view.background)});
+        const Image all = drawn({.rule = Detail::Rule::all});
+        const double allError = meanFlip(all, reference), allTime = milliseconds();
+        for (const float asked : {0.1f, 0.05f, 0.02f}) {
+            const Image image = drawn({.rule = Detail::Rule::flip, .limit = asked});
+            const FrameStats stats = renderer.draw(document, view);
+            const double time = milliseconds();
+            std::printf("%7s %6.2f %10.3f | %6.4f %6.4f %10.4f | %7zu %8.1f %6.1f\n", nearness.name,
+                        static_cast<double>(asked), static_cast<double>(stats.deviation),
+                        meanFlip(image, all), meanFlip(image, reference), allError,
+                        stats.hairsDrawn, time, allTime / time);
+            std::fflush(stdout);
+        }
+    }
+}
+
+void run(int count, char** arguments) {
     const HeadlessContext context;
     Renderer renderer;
+    if (count == 5) {
+        std::printf("%s, %s, %s hairs, %s pixels\n", arguments[1], arguments[2], arguments[3],
+                    arguments[4]);
+        const Document model = modelOf(arguments[1], arguments[2], arguments[3]);
+        keepBudgets(renderer, model, std::stoi(arguments[4]));
+        return;
+    }
+    const Document document = hairyAnimal();
     View view;
     view.camera = framed(document.skin->center(), 1.2f * document.skin->radius, 0.6f, 0.2f, 1.0f);
     compareViews(renderer, document, view);
@@ -88,9 +172,9 @@ void run() {
 }  // namespace
 }  // namespace pelage
 
-int main() {
+int main(int count, char** arguments) {
     try {
-        pelage::run();
+        pelage::run(count, arguments);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "pelage_detail: %s\n", error.what());
         return 1;

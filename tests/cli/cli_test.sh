@@ -240,6 +240,8 @@ good render tetra.obj --size 64x64 --samples 1 --yaw -30 --pitch -10 --distance 
     --technique polyline --preset fox --script lines.txt -o r2.png
 grep -qE '^wrote r2\.png: 64x64, [0-9]+ of [0-9]+ hairs, ' out.txt || fail "render: $(cat out.txt)"
 good render --animal 2000 --hairs 0 --size 32x32 --samples 1 -o bald.png
+json 'j.detail === "flip:0.1" && j.flip > 0 && j.flip <= 0.1 && j.deviation > 0' \
+    -- render --animal 2000 --hairs 3000 --size 64x64 --samples 2 --detail flip:0.1 -o f.png --json
 json 'j.technique === "reference" && j.samples === 4 && j.segments === 7' 'j.hairs > 400' \
     'j.noise > 0 && j.noise < 0.2 && j.rays > 4 * 48 * 32' \
     -- render --animal 2000 --hairs 500 --size 48x32 --technique reference --spp 3 --segments 7 \

@@ -14,6 +14,7 @@ TEST(Detail, ReadsARuleATimeOrBoth) {
     EXPECT_EQ(detailFromText("distance"), (Detail{.rule = Rule::distance}));
     EXPECT_EQ(detailFromText("share:0.25"), (Detail{.rule = Rule::share, .limit = 0.25f}));
     EXPECT_EQ(detailFromText("pixels:2"), (Detail{.rule = Rule::pixels, .limit = 2.0f}));
+    EXPECT_EQ(detailFromText("flip:0.05"), (Detail{.rule = Rule::flip, .limit = 0.05f}));
     EXPECT_EQ(detailFromText("ms:33"), (Detail{.rule = Rule::all, .milliseconds = 33.0f}));
     const Detail both{.rule = Rule::pixels, .limit = 0.5f, .milliseconds = 16.6f};
     EXPECT_EQ(detailFromText("pixels:0.5,ms:16.6"), both);
@@ -30,9 +31,10 @@ TEST(Detail, EveryRuleReadsBackFromItsText) {
 }
 
 TEST(Detail, WhatIsNoDetailIsRefusedAndQuoted) {
-    for (const char* text : {"", ",", "al", "all,", "all,all", "all,distance", "ms:33,ms:34", "ms",
-                             "ms:", "ms:0", "ms:nan", "share", "share:0", "share:1.01", "pixels:-1",
-                             "pixels:inf", "all:1", "pixels:1 "})
+    for (const char* text :
+         {"",          ",",          "al",   "all,",   "all,all", "all,distance", "ms:33,ms:34",
+          "ms",        "ms:",        "ms:0", "ms:nan", "share",   "share:0",      "share:1.01",
+          "pixels:-1", "pixels:inf", "flip", "flip:0", "flip:2",  "all:1",        "pixels:1 "})
         try {
             detailFromText(text);
             ADD_FAILURE() << text;

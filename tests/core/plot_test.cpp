@@ -39,6 +39,27 @@ TEST(Plot, AxesAreLogarithmicAndErrorsGrowUpwards) {
     EXPECT_GT(at[0].second, at[1].second);
 }
 
+TEST(Plot, AxesOfLessThanADecadeHaveTicksToo) {
+    for (const double most : {1.1, 2.1, 3.0, 6.0, 9.5, 40.0, 3000.0}) {
+        for (const double least : {1.0, 1.3, 2.1, 2.6, 5.1, 8.0}) {
+            const Plot plot = plotOf({{least, 1, "", false}, {least * most, 100, "", false}});
+            const std::string svg = svgOf(std::vector{plot}, "");
+            const std::size_t ticks = countOf(svg, R"re(text-anchor="middle">[0-9.e+]+<)re");
+            EXPECT_GE(ticks, 3u) << least << " to " << least * most;
+            EXPECT_LE(ticks, 14u) << least << " to " << least * most;
+        }
+    }
+}
+
+TEST(Plot, PointsWithoutAnOrderAreNotJoined) {
+    Plot plot = plotOf({{1, 1, "", false}, {10, 10, "", false}});
+    const std::size_t before = countOf(svgOf(std::vector{plot}, ""), "<polyline");
+    plot.series[0].joined = false;
+    const std::string svg = svgOf(std::vector{plot}, "");
+    EXPECT_EQ(countOf(svg, "<polyline"), before - 1);
+    EXPECT_EQ(places(svg).size(), 2u);
+}
+
 TEST(Plot, WhatIsNotPositiveAndFiniteIsLeftOut) {
     const double nan = std::numeric_limits<double>::quiet_NaN(),
                  infinite = std::numeric_limits<double>::infinity();

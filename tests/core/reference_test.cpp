@@ -346,12 +346,50 @@ TEST(Reference, CoatsThatAreNotWantedAreLeftOut) {
                 static_cast<double>(document.fur.share), 0.05);
 }
 
-TEST(Reference, TheStyleOfACoatDoesNotMatter) {
+TEST(Reference, TheStyleOfACoatIsHowItsHairIsLitNotItsShape) {
     Document document = furryBall(500);
-    const std::vector<vec4> polylines = traced(document, ofBall(24), 2).pixels();
+    for (Coat* coat : {&document.fur.over, &document.fur.under}) coat->style = kStylePolyline;
+    const auto lines = traced(document, ofBall(24), 2).pixels();
+    const auto scene = std::make_shared<const ReferenceScene>(document);
     for (const uint style : {kStyleLine, kStyleRibbon, kStyleCurve, kStyleTube}) {
         document.fur.over.style = document.fur.under.style = style;
-        EXPECT_EQ(traced(document, ofBall(24), 2).pixels(), polylines);
+        const auto others = traced(document, ofBall(24), 2).pixels();
+        EXPECT_NE(others, lines);
+        for (std::size_t p = 0; p < lines.size(); ++p) EXPECT_EQ(others[p].a, lines[p].a);
+        // A view may ask for the light of any style.
+        ReferenceView view = ofBall(24);
+        view.style = style;
+        ReferencePicture picture(scene, view);
+        picture.add(2);
+        EXPECT_EQ(picture.pixels(), others);
+    }
+}
+
+TEST(Reference, ARoundHairIsLitAsACylinderIs) {
+    // From straight ahead a matt cylinder that faces the light is brightest in the middle: over its
+    // width x in [-1, 1] it has the square root of 1 - x^2.
+    constexpr float kPixelSize = 1e-3f;
+    Document document = oneHair(0.2f, 16.0f * kPixelSize, 0.0f);
+    for (Coat* coat : {&document.fur.over, &document.fur.under}) {
+        coat->ambient = coat->specular = vec3(0.0f);
+        coat->style = kStyleTube;
+    }
+    const Curves hair = growCurves(document, scatterRoots(*document.skin, 1, document.fur.seed), 1);
+    const vec3 middle = 0.5f * (hair.points[0] + hair.points[1]);
+    ReferenceView view = fromAngle(kPi / 2.0, middle, ivec2(16, 2), kPixelSize);
+    view.shadows = Shadows::live;
+    view.light = keyOnly(-view.forward);
+    const std::vector<vec4> across = traced(document, view, 256, withoutSkin()).pixels();
+    const auto area = [](double x) { return 0.5 * (x * std::sqrt(1.0 - x * x) + std::asin(x)); };
+    // Half of the light is that of a thin line, whose sine is 1; the skin's normal is at a right
+    // angle to the key light, so that half of it is in shadow.
+    const double whole =
+        static_cast<double>(across[8].g) / (1.0 + 8.0 * (area(1.0 / 8.0) - area(0.0)));
+    for (int x = 0; x < 8; ++x) {
+        const double mean = 8.0 * (area((x + 1) / 8.0) - area(x / 8.0));
+        EXPECT_NEAR(static_cast<double>(across[static_cast<std::size_t>(8 + x)].g) / whole,
+                    1.0 + mean, 0.02)
+            << x;
     }
 }
 

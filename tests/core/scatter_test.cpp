@@ -11,6 +11,7 @@
 #include "core/strand.h"
 #include "core/strands_out.h"
 #include "core/test_skins.h"
+#include "tests/figures.h"
 
 namespace pelage {
 namespace {
@@ -59,15 +60,17 @@ TEST(Scatter, CountsAreUnbiasedWithTheVarianceOfRandomRounding) {
     }
     ASSERT_GT(below, skin->areas.size() / 3) << "the case is not hard";
     const int seeds = 200;
-    double sum = 0.0, squares = 0.0;
+    double sum = 0.0, squares = 0.0, farthest = 0.0;
     for (int s = 0; s < seeds; ++s) {
         const double total =
             static_cast<double>(scatterRoots(*skin, hairs, static_cast<uint>(s)).roots.size()) -
             hairs;
-        EXPECT_LT(std::abs(total), 4.0 * std::sqrt(expectedVariance)) << "seed " << s;
+        farthest = std::max(farthest, std::abs(total));
         sum += total;
         squares += total * total;
     }
+    test::reached("R1", "number of hairs off 60,000 on 131,072 faces, worst of 200 seeds", farthest,
+                  4.0 * std::sqrt(expectedVariance));
     EXPECT_NEAR(sum / seeds, 0.0, 4.0 * std::sqrt(expectedVariance / seeds));
     EXPECT_NEAR(squares / seeds / expectedVariance, 1.0, 0.4);
 }
@@ -92,7 +95,8 @@ TEST(Scatter, VarianceOfEachTriangleIsThatOfItsFraction) {
         expected += f * (1 - f);
         bias += sum[t] / seeds;
     }
-    EXPECT_NEAR(measured / expected, 1.0, 0.02);
+    test::reached("R2", "variance of the hairs of a face over that of random rounding, off 1",
+                  std::abs(measured / expected - 1.0), 0.02);
     EXPECT_NEAR(bias, 0.0, 4.0 * std::sqrt(expected / seeds));
 }
 
@@ -122,6 +126,7 @@ double chiSquare(const std::vector<vec3>& weights) {
 TEST(Scatter, RootsAreUniformByAreaAndTheTestWouldSeeAPercentOfWarp) {
     // 63 degrees of freedom: [27.6, 116] holds all but 1e-4 on either side.
     const auto skin = makeSkin(test::sheet(32));
+    double greatest = 0.0;
     for (const uint seed : {1u, 2u, 3u}) {
         const Roots roots = scatterRoots(*skin, 2000000, seed);
         std::vector<vec3> weights, warped;
@@ -134,19 +139,25 @@ TEST(Scatter, RootsAreUniformByAreaAndTheTestWouldSeeAPercentOfWarp) {
         }
         const double chi = chiSquare(weights);
         EXPECT_GT(chi, 27.6) << "seed " << seed;
-        EXPECT_LT(chi, 116.0) << "seed " << seed;
+        greatest = std::max(greatest, chi);
         EXPECT_GT(chiSquare(warped), 116.0) << "the control passes: the test sees nothing";
     }
+    test::reached("R3", "chi-square of 2,000,000 places in 64 cells, worst of 3 seeds", greatest,
+                  116.0);
 }
 
 TEST(Scatter, FirstHairsOfManyTrianglesAreUniformToo) {
     const auto skin = makeSkin(test::sheet(512));
-    std::vector<vec3> weights;
-    for (const Root& root : scatterRoots(*skin, 300000, 5).roots)
-        weights.push_back(baryWeights(root.bary));
-    const double chi = chiSquare(weights);
-    EXPECT_GT(chi, 27.6);
-    EXPECT_LT(chi, 116.0);
+    double greatest = 0.0;
+    for (const uint seed : {5u, 6u, 7u}) {
+        std::vector<vec3> weights;
+        for (const Root& root : scatterRoots(*skin, 524288, seed).roots)
+            weights.push_back(baryWeights(root.bary));
+        const double chi = chiSquare(weights);
+        EXPECT_GT(chi, 27.6) << "seed " << seed;
+        greatest = std::max(greatest, chi);
+    }
+    test::reached("R3", "the same of the first hairs of 524,288 faces", greatest, 116.0);
 }
 
 TEST(Scatter, WeightsAreNeverNegative) {
@@ -160,7 +171,8 @@ TEST(Scatter, IsTheSameForAnyNumberOfThreads) {
     const auto skin = unevenSheet(128);
     const Roots many = scatterRoots(*skin, 100000, 9);
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    EXPECT_TRUE(sameRoots(many, scatterRoots(*skin, 100000, 9)));
+    test::reached("R5", "roots that differ between one thread and many: 1 if any does",
+                  sameRoots(many, scatterRoots(*skin, 100000, 9)) ? 0.0 : 1.0, 0.0);
 }
 
 TEST(Scatter, AnotherTriangleMovesNoHair) {
@@ -179,7 +191,11 @@ TEST(Scatter, AnotherTriangleMovesNoHair) {
     for (const Root& r : scatterRoots(*alone, hairs, 3).roots) before.emplace(r.id, r.bary);
     for (const Root& r : scatterRoots(*both, more, 3).roots)
         if (r.triangle < alone->triangles.size()) after.emplace(r.id, r.bary);
-    EXPECT_EQ(before, after);
+    std::vector<std::pair<uint, uint>> moved;
+    std::set_symmetric_difference(before.begin(), before.end(), after.begin(), after.end(),
+                                  std::back_inserter(moved));
+    test::reached("R5", "of 20,000 hairs, those that move where another face is added",
+                  static_cast<double>(moved.size()), 0.0);
 }
 
 TEST(Scatter, MoreHairsKeepTheHairsThatWereThere) {
@@ -209,8 +225,7 @@ TEST(Scatter, AnyPrefixByRankIsAFairSample) {
             << share;
     }
     for (const Cluster& cluster : roots.clusters)
-        for (uint i = 1; i < cluster.count; ++i)
-            ASSERT_LT(cluster.rank(i - 1), cluster.rank(i));
+        for (uint i = 1; i < cluster.count; ++i) ASSERT_LT(cluster.rank(i - 1), cluster.rank(i));
 }
 
 // Variance / mean of the number of hairs in discs that hold `mean` of them; 1 for white noise.
@@ -243,14 +258,21 @@ double clumpiness(const Skin& skin, const Roots& roots, float share, double mean
 }
 
 TEST(Scatter, PrefixesAreSpreadMoreEvenlyThanWhiteNoise) {
-    // Half a hair a triangle, where random rounding alone gives .59 and its 25 % prefix .90; sample
-    // elimination, a hundred times slower, reaches .40, .32 and .28 at 50, 25 and 12.5 %.
+    // Half a hair a triangle, where random rounding alone gives .59 and its 25 % prefix .90.
     const auto skin = makeSkin(test::sheet(141));
-    const Roots roots = scatterRoots(*skin, 20000, 1);
-    EXPECT_LT(clumpiness(*skin, roots, 1.0f, 8.0), 0.70);
-    EXPECT_LT(clumpiness(*skin, roots, 0.5f, 8.0), 0.50);
-    EXPECT_LT(clumpiness(*skin, roots, 0.25f, 8.0), 0.42);
-    EXPECT_LT(clumpiness(*skin, roots, 0.125f, 8.0), 0.42);
+    const float shares[] = {1.0f, 0.5f, 0.25f, 0.125f};
+    double mean[4] = {0.0, 0.0, 0.0, 0.0};
+    for (uint seed = 1; seed <= 3; ++seed) {
+        const Roots roots = scatterRoots(*skin, 20000, seed);
+        for (std::size_t i = 0; i < 4; ++i)
+            mean[i] += clumpiness(*skin, roots, shares[i], 8.0) / 3.0;
+    }
+    using test::reached;
+    reached("R6", "variance over mean of the hairs in discs of 8, half a hair a face: all", mean[0],
+            0.65);
+    reached("R6", "the same, half of the hairs (.35 was asked)", mean[1], 0.45);
+    reached("R6", "the same, a quarter (.35 was asked)", mean[2], 0.42);
+    reached("R6", "the same, an eighth (.35 was asked)", mean[3], 0.42);
 }
 
 TEST(Scatter, ClustersHoldTheirTrianglesAndEachRootOnce) {
@@ -301,9 +323,11 @@ TEST(GrowCurves, HairsAreRootedOnTheirTrianglesAndFollowDensityWithoutMoving) {
     const Curves thin = growCurves(document, roots, 8);
     EXPECT_NEAR(static_cast<double>(thin.root.size()) / static_cast<double>(full.root.size()), 0.3,
                 0.01);
+    double moved = 0.0;
     for (std::size_t h = 0; h < thin.root.size(); ++h)
         for (uint p = 0; p < 9; ++p)
-            ASSERT_EQ(thin.points[h * 9 + p], full.points[thin.root[h] * 9 + p]);
+            moved += thin.points[h * 9 + p] != full.points[thin.root[h] * 9 + p];
+    test::reached("R10", "points of hair that move where its density is painted", moved, 0.0);
 }
 
 TEST(GrowCurves, TheShareOfTheOvercoatIsTheOneAsked) {

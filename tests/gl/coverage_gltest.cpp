@@ -25,7 +25,8 @@ Document darkBall(float width) {
 
 struct Line {  // a straight hair from above, m
     vec2 root, tip;
-    float width = 0.0f;  // mean
+    float width = 0.0f;  // at the root
+    float taper = 0.0f;
 };
 
 std::vector<Line> hairsFromAbove(const Document& document) {
@@ -38,8 +39,8 @@ std::vector<Line> hairsFromAbove(const Document& document) {
             growStrand(root, skin.vertices[t.x], skin.vertices[t.y], skin.vertices[t.z], fur(t.x),
                        fur(t.y), fur(t.z), document.fur, 0.0f, 0.0f);
         const vec3 tip = strandPoint(s, 1.0f);
-        lines.push_back({vec2(s.origin.x, s.origin.z), vec2(tip.x, tip.z),
-                         strandWidth(s, document.fur.over.taper, 0.5f)});
+        lines.push_back(
+            {vec2(s.origin.x, s.origin.z), vec2(tip.x, tip.z), s.width, document.fur.over.taper});
     }
     return lines;
 }
@@ -68,9 +69,14 @@ TEST(Coverage, HairsOfAnyWidthCoverTheirArea) {
     for (const float width : {0.1f, 0.35f, 1.0f, 2.5f}) {  // pixels
         document.fur.over.width = document.fur.under.width = width * kPixel;
         double area = 0.0;  // pixels
-        for (const Line& line : hairsFromAbove(document))
-            area += static_cast<double>(glm::distance(line.root, line.tip) * line.width /
-                                        (kPixel * kPixel));
+        for (const Line& line : hairsFromAbove(document)) {
+            // A trapezoid and two half discs.
+            const float tip = line.width * (1.0f - line.taper);
+            area += static_cast<double>(
+                (0.5f * glm::distance(line.root, line.tip) * (line.width + tip) +
+                 0.39269908f * (line.width * line.width + tip * tip)) /
+                (kPixel * kPixel));
+        }
         const double covered = test::coveredPixels(renderer, document, view);
         std::printf("hairs %.2f pixels wide cover %.4f of their area\n", static_cast<double>(width),
                     covered / area);

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "tests/figures.h"
 #include "tests/gl/furry_scenes.h"
 
 namespace pelage {
@@ -27,7 +28,7 @@ void setBoth(Document& document, float Coat::*parameter, float value) {
     document.fur.over.*parameter = document.fur.under.*parameter = value;
 }
 
-// The picture and the counts are the same whether what cannot be seen is left out or not.
+// The picture and the counts of hair are the same whether what cannot be seen is left out or not.
 FrameStats expectSame(Renderer& renderer, const Document& document, View view, const char* name) {
     view.culls = false;
     const auto whole = test::picture(renderer, document, view);
@@ -39,6 +40,7 @@ FrameStats expectSame(Renderer& renderer, const Document& document, View view, c
     EXPECT_EQ(all.hairsDrawn, some.hairsDrawn) << name;
     EXPECT_EQ(all.segmentsDrawn, some.segmentsDrawn) << name;
     EXPECT_EQ(all.clustersHidden + all.clustersOutside, 0u) << name;
+    EXPECT_LE(some.trianglesDrawn, all.trianglesDrawn) << name;
     EXPECT_EQ(some.clustersDrawn + some.clustersHidden + some.clustersOutside + some.clustersSmall +
                   some.clustersBald,
               some.clusters)
@@ -105,6 +107,41 @@ TEST(Detail, HairIsNeverLeftOutWhereItWasPaintedSince) {
     EXPECT_GT(expectSame(renderer, document, view, "grown").hairsDrawn, 1000u);
 }
 
+TEST(Detail, SkinOutsideTheViewIsLeftOut) {
+    const Document document = test::evenDocument(test::ball(5));
+    Renderer renderer;
+    View view = test::ballView(document, 160);
+    const std::size_t triangles = document.skin->triangles.size();
+    view.camera.distance = 4.0f;
+    EXPECT_EQ(renderer.draw(document, view).trianglesDrawn, triangles);
+    view.camera.distance = 1.2f;
+    EXPECT_LT(renderer.draw(document, view).trianglesDrawn, triangles);
+    view.camera.distance = 4.0f;
+    view.camera.target += 20.0f * view.camera.right();
+    EXPECT_EQ(renderer.draw(document, view).trianglesDrawn, 0u);
+    view.camera.target -= 20.0f * view.camera.right();
+    view.showSkin = false;
+    EXPECT_EQ(renderer.draw(document, view).trianglesDrawn, 0u);
+}
+
+// Both kinds of pixels show the same background: those that hair might reach, and the others.
+TEST(Detail, TheBackgroundIsOneColorInAndAroundTheBoxOfTheAnimal) {
+    const Document document = shortHairedBall();
+    Renderer renderer;
+    View view = test::ballView(document, 160);
+    for (const float distance : {3.0f, 40.0f})
+        for (const int samples : {1, 3})
+            for (const vec3 background : {vec3(0.58f, 0.63f, 0.69f), vec3(0.001f, 0.2f, 1.5f)}) {
+                view.camera.distance = distance;
+                view.samples = samples;
+                view.background = background;
+                view.showOver = view.showUnder = view.showSkin = false;
+                const auto pixels = test::picture(renderer, document, view);
+                for (std::size_t i = 4; i < pixels.size(); ++i)
+                    ASSERT_EQ(pixels[i], pixels[i - 4]) << i << " of " << pixels.size();
+            }
+}
+
 TEST(Detail, NoUndercoatIsNoUndercoatWork) {
     Document document = test::furryBall(10000);
     document.fur.share = 0.5f;
@@ -140,13 +177,17 @@ TEST(Detail, ThinningAFlatCoatKeepsWhatItCovers) {
     const double size = 160.0 * 160.0;
     const double full = test::coveredPixels(renderer, document, view) / size;
     EXPECT_NEAR(full, 1.0 - std::exp(-3.0), 0.02);
+    double greatest = 0.0;
     for (const float share : {0.5f, 0.25f, 0.125f}) {
         view.detail = {.rule = Rule::share, .limit = share};
         const double covered = test::coveredPixels(renderer, document, view) / size;
         std::printf("share %.3f covers %.4f, all %.4f\n", static_cast<double>(share), covered,
                     full);
-        EXPECT_NEAR(covered / full, 1.0, 0.05) << share;
+        greatest = std::max(greatest, std::abs(covered - full));
     }
+    // Of hair in an order without evenness it is none: tests/core/thinning_test.cpp.
+    test::reached("R7", "the same as drawn on large faces: the even order covers more", greatest,
+                  0.03);
 }
 
 // The largest of the mean changes from picture to picture while the camera moves away.
@@ -170,7 +211,8 @@ TEST(Detail, MovingAwayChangesPicturesNoFasterThanWithAllHairs) {
     Renderer renderer;
     const double full = largestStep(renderer, document, view);
     for (const Detail& detail : {Detail{}, Detail{.rule = Rule::pixels, .limit = 0.5f},
-                                 Detail{.rule = Rule::pixels, .limit = 1.5f}}) {
+                                 Detail{.rule = Rule::pixels, .limit = 1.5f},
+                                 Detail{.rule = Rule::flip, .limit = 0.05f}}) {
         view.detail = detail;
         const double step = largestStep(renderer, document, view);
         std::printf("%s: largest step %.4f, with all hairs %.4f\n", textOf(detail).c_str(), step,
@@ -209,9 +251,9 @@ TEST(Detail, ThinningDoesNotPop) {
     }
     std::sort(steps.begin(), steps.end());
     const double most = steps[steps.size() * 999 / 1000];
-    std::printf("99.9 %% of the pixels step by %.4f at most, the mean by %.5f\n", most, jump);
-    EXPECT_LE(most, 0.06);
-    EXPECT_LE(jump, 5e-4);
+    using test::reached;
+    reached("R9", "step of 99.9 % of the pixels, thinned to a quarter in 240 frames", most, 0.06);
+    reached("R9", "step of the mean of all pixels", jump, 5e-4);
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ TEST(Measure, ErrorsOfDrawingFallWithHairsSegmentsAndSamples) {
     ASSERT_EQ(eye.rows.size(), 4u + 5u + 4u);
     for (const Approach& approach : approaches(eye)) {
         std::printf("%s: %.4f to %.4f, noise %.4f\n", approach.technique->name, approach.coarsest,
-                    approach.finest, static_cast<double>(eye.drawing.noise.color));
+                    approach.finest, approach.noise);
         EXPECT_TRUE(approach.falls) << approach.technique->name;
         EXPECT_LT(approach.finest, 0.8 * approach.coarsest) << approach.technique->name;
     }
@@ -93,14 +93,16 @@ TEST(Measure, ErrorsOfDrawingFallWithHairsSegmentsAndSamples) {
     EXPECT_NEAR(eye.rows[3].drawing.coverage->areaRatio, 1.0, 0.02);
     EXPECT_LT(eye.rows[3].drawing.coverage->silhouette, 0.1);
     // Light that is traced is another one.
-    EXPECT_NE(eye.drawing.image.pixels, eye.light.image.pixels);
+    ASSERT_EQ(eye.references.size(), 1u);
+    EXPECT_NE(eye.references[0].drawing.image.pixels, eye.references[0].light.image.pixels);
     EXPECT_GT(eye.rows[3].light.rmse, eye.rows[3].drawing.rmse);
 }
 
 // A view of one technique whose errors are given.
 MeasuredEye eyeWith(const std::vector<double>& errors, float noise) {
     MeasuredEye eye;
-    eye.drawing.noise.color = noise;
+    eye.references.resize(1);
+    eye.references[0].drawing.noise.color = noise;
     for (std::size_t i = 0; i < errors.size(); ++i) {
         Measured row;
         row.technique = &techniques()[0];

@@ -4,6 +4,7 @@
 # gui_test.py [-v] PELAGE MESHES OUT: the program, the folder of shared meshes (the built-in animal
 # is used without it), and a folder for screenshots. What the editor did is read from its trace
 # (PELAGE_TRACE=1); what it wrote is compared with the same lines run by the command line.
+import csv
 import functools
 import hashlib
 import json
@@ -521,6 +522,43 @@ class EditorInAWindow(WindowTest):
         saved = again.save(self.path("worn.glb"))
         self.assertEqual(again.close(), 0)
         self.assertReplayGives(lines, saved)
+
+    def test_the_accuracy_of_a_view_is_measured_flipped_saved_and_gets_old(self):
+        self.take("--animal", "2000")
+        editor = self.start(self.mesh)
+        editor.ready()
+        editor.key("shift+n")
+        words = editor.expect("accuracy 256 samples, ").split()
+        figures = dict(zip(words[::2], map(float, words[1::2])))
+        self.assertEqual(list(figures), ["flip", "rmse", "ssim", "noise", "ms"])
+        for name, figure in figures.items():
+            self.assertTrue(0.0 < figure < (1e6 if name == "ms" else 1.0), figures)
+        self.assertLess(figures["noise"], figures["rmse"])
+        editor.key("h")
+        self.assertEqual(editor.expect("accuracy shows"), "2")
+        self.shoot("accuracy.png")
+        editor.key("h")
+        self.assertEqual(editor.expect("accuracy shows"), "1")
+        editor.key("KP_3")
+        editor.expect("accuracy old")
+        editor.settle()
+        self.shoot("accuracy-old.png")
+        editor.click((147, 492))  # Measure again
+        editor.expect("accuracy 16 samples")
+        editor.do("click", 1)  # Cancel, in the same place
+        editor.expect("accuracy ended")
+        editor.click((1186, 492))  # Save report...
+        editor.type(self.path("figures.csv"))
+        editor.expect("saved")
+        with open(self.path("figures.csv")) as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 1)
+        self.assertTrue(0.0 < float(rows[0]["flipMean"]) < 1.0, rows)
+        self.assertEqual(rows[0]["detail"], "distance")
+        for name in ("live", "reference", "heat"):
+            self.assertGreater(os.path.getsize(self.path(f"figures-{name}.png")), 1000)
+        editor.settle()
+        self.assertEqual(editor.close(), 0)
 
     def test_unsaved_work_is_asked_about(self):
         editor = self.start()

@@ -10,6 +10,7 @@
 #include "core/coat.h"
 #include "hair_check.h"
 #include "hard_cases.h"
+#include "tests/figures.h"
 
 namespace pelage {
 namespace {
@@ -142,6 +143,7 @@ TEST(HardHair, NothingTurnsAboutUpright) {
 // direction, beside what the tie-break follows the comb by (its own 0.02, amplified likewise).
 TEST(HardHair, EndsFollowTheDirectionWithoutJumps) {
     test::Draws draws(5);
+    float worst = 0.0f;
     for (int i = 0; i < 100'000; ++i) {
         const vec3 n = safeUnit(draws.inBox(1.0f), kUp);
         const float stiffness = draws.in(0.02f, 1.0f);
@@ -158,9 +160,11 @@ TEST(HardHair, EndsFollowTheDirectionWithoutJumps) {
         const float moved = glm::distance(s.weightless, u.weightless);
         const float comb = 0.02f * glm::distance(glm::normalize(flatD), glm::normalize(flatE));
         const float floppiness = std::max(1.0f - stiffness, 0.02f);
-        EXPECT_LE(glm::distance(s.end, u.end), 1.01f * (moved + comb) / (1.0f - floppiness) + 3e-6f)
-            << stiffness;
+        worst = std::max(
+            worst, (glm::distance(s.end, u.end) - 3e-6f) * (1.0f - floppiness) / (moved + comb));
     }
+    test::reached("H9", "paper: move of the end times stiffness, over that of the direction", worst,
+                  1.01);
 }
 
 // A curled hair that stands straight is as long as asked within 1e-4. About a bent spine the curl
