@@ -74,9 +74,9 @@ struct RootTexel {
     std::uint16_t nearest = 0, next = 0;
 };
 
-// What a ray asks to test the exact shape of hairs. At 45 degrees, with two texels across a hair at
-// its root, heights miss 6 % of what hairs cover, and the two nearest roots less than 0.1 %: the
-// tips of hairs are finer than any texel.
+// What a ray asks to test the exact shape of hairs. With two texels across a hair at its root, the
+// two nearest roots of the texels on the way leave out less than 0.001 of what hairs cover (at
+// optical depths around 1), and heights more than 0.03 at 45 degrees: tips are finer than texels.
 struct RootMap {
     ivec2 size{0};
     std::vector<RootTexel> texels;  // rows from the top

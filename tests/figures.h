@@ -9,7 +9,8 @@
 namespace pelage::test {
 
 // Says in one line, which tests/figures.sh gathers, what was reached and what was allowed; nothing
-// is expected. `row` orders the lines: H1... hair, R1... roots, I1... images, S1... shading.
+// is expected. `row` orders the lines: H1... hair, R1... roots, I1... images, S1... shading, U1...
+// layers from photographs.
 inline void measured(const char* row, const char* what, double value, double most) {
     const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
     std::printf("figure | %s | %s | %.3g | at most %.3g | %s.%s |\n", row, what, value, most,

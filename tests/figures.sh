@@ -31,6 +31,7 @@ cat <<'TEXT'
 Each line is said by a test, which fails where the figure is worse than what is allowed; costs, which
 depend on the machine, are only measured. Lengths are those of the hair where nothing else is said.
 H: the shape of hair. R: roots and levels of detail. I: images. S: shading.
+U: layers from a photograph.
 Made by `tests/figures.sh`.
 
 | row | what | reached | allowed | test |

@@ -488,26 +488,49 @@ bool meetsOnTheWay(const Ray& ray, const RootMap& map) {
     return false;
 }
 
+// The same of heights, two looks for each texel.
+bool reachesOnTheWay(const Ray& ray, const ShellLevel& tile) {
+    const int looks = static_cast<int>(std::ceil(2.0 * ray.way / kTile * tile.size.x));
+    for (int look = 0; look < looks; ++look) {
+        const double s = (look + 0.5) / looks;
+        const glm::dvec2 at = (ray.from + glm::dvec2(s * ray.way, 0.0)) / kTile;
+        const auto texel = glm::uvec2((at - glm::floor(at)) * static_cast<double>(tile.size.x));
+        if (reaches(tile.texels[texel.y * static_cast<uint>(tile.size.x) + texel.x],
+                    static_cast<float>(1.0 - s)))
+            return true;
+    }
+    return false;
+}
+
 TEST(RootMap, AMarchOverTheNearestRootsMeetsTheHairsThatThereAre) {
     // Two texels across a hair.
-    const RootMap map = rootMap({.seed = 2, .side = 128, .hairs = kHairs});
+    const HairPattern pattern{
+        .seed = 2, .side = 128, .hairs = kHairs, .radius = static_cast<float>(kRadius / kTile)};
+    const RootMap map = rootMap(pattern);
+    const ShellMap heights = hairMap(pattern);
     constexpr int kPixels = 32;
     for (const double degrees : {10.0, 45.0, 70.0}) {
         const double angle = degrees * std::numbers::pi / 180.0;
-        double bias = 0.0, square = 0.0;
+        double bias = 0.0, square = 0.0, ofHeights = 0.0;
         for (int pixel = 0; pixel < kPixels * kPixels; ++pixel) {
             double error = 0.0;
             for (int sample = 0; sample < 16; ++sample) {
                 const glm::dvec2 at(pixel % kPixels + (sample % 4 + 0.5) / 4.0,
                                     pixel / kPixels + (sample / 4 + 0.5) / 4.0);
                 const Ray ray{{at.x / std::cos(angle), at.y}, kHigh * std::tan(angle)};
-                error += (meetsOnTheWay(ray, map) - meetsAny(ray, map.roots)) / 16.0;
+                const bool meets = meetsAny(ray, map.roots);
+                error += (meetsOnTheWay(ray, map) - meets) / 16.0;
+                ofHeights +=
+                    (reachesOnTheWay(ray, heights.levels[0]) - meets) / (16.0 * kPixels * kPixels);
             }
             bias += error / (kPixels * kPixels);
             square += error * error / (kPixels * kPixels);
         }
         EXPECT_LE(std::abs(bias), 0.001) << degrees;
         EXPECT_LE(std::sqrt(square), 0.01) << degrees;
+        if (degrees == 45.0) {
+            EXPECT_LT(ofHeights, -0.03) << "the tips of hairs are finer than texels";
+        }
     }
 }
 
