@@ -180,9 +180,13 @@ InSight lookAt(const Roots& roots, std::span<const Tuft> tufts, const Pelt& pelt
     return seen;
 }
 
+float deviationOf(const Detail& detail, float needed) {
+    return detail.rule == Detail::Rule::pixels ? std::max(detail.limit, needed) : needed;
+}
+
 Fineness finenessOf(const Detail& detail, float deviation, const Fineness& otherwise) {
     if (detail.rule == Detail::Rule::pixels)
-        return {kMostSegments, std::max(detail.limit, deviation), true};
+        return {kMostSegments, deviationOf(detail, deviation), true};
     // Pictures get as close to those of all hairs as is asked for.
     const bool approaches = detail.rule == Detail::Rule::flip;
     if (!(deviation > (approaches ? otherwise.tolerance : 0.0f))) return otherwise;
@@ -194,7 +198,7 @@ float shareKept(const Detail& detail, float pixels, float widest, float deviatio
     if (detail.rule == Detail::Rule::distance)
         share = std::clamp(std::min(1.0f, pixels), kLeastShare, 1.0f);
     if (detail.rule == Detail::Rule::share) share = std::clamp(detail.limit, kLeastShare, 1.0f);
-    if (detail.rule == Detail::Rule::pixels) deviation = std::max(deviation, detail.limit);
+    deviation = deviationOf(detail, deviation);
     if (!(deviation > 0.0f)) return share;
     // Divided by this share, the widest hair is 2 deviations wider: one on each side.
     return std::min(share, widest / (widest + 2.0f * deviation));

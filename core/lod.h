@@ -76,6 +76,10 @@ struct InSight {
 InSight lookAt(const Roots& roots, std::span<const Tuft> tufts, const Pelt& pelt,
                const Sight& sight, const SkinDepth* skin);
 
+// Pixels by which edges may be off: what the rule asks for, or what a frame needs to keep to its
+// time where that is more; 0 where nothing is asked.
+float deviationOf(const Detail& detail, float needed);
+
 // Straight pieces of the hairs.
 struct Fineness {
     uint segments = 8;       // of a hair: so many, or at most so many where they adapt

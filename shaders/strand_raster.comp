@@ -346,11 +346,18 @@ void main() {
 #endif
     }
 
-#ifndef THIN
-    // What is seen of a round hair is its front: towards the root of one that points to the eye. Its
-    // outline stays where it is. Its ends are balls. One that stands for several is as round as each
-    // of them; where hair is narrow all of that fades out.
-    float bulge = kMeanBulge / max(widened, 1e-3) * clamp(points[0].w / kRoundFrom - 1.0, 0.0, 1.0);
+    // The ends of a hair are balls. One that stands for several is as round as each of them.
+    float bulge = kMeanBulge / max(widened, 1e-3);
+#ifdef THIN
+    vec2 step = points[1].xy - points[0].xy;
+    points[0].xy -= bulge * points[0].w * inversesqrt(max(dot(step, step), 1e-12)) * step;
+    step = points[segments].xy - points[segments - 1u].xy;
+    points[segments].xy +=
+        bulge * points[segments].w * inversesqrt(max(dot(step, step), 1e-12)) * step;
+#else
+    // What is seen of it is its front: towards the root where it points to the eye. Its outline stays
+    // where it is. Of narrow hair that is left out.
+    float roundness = clamp(3.0 * (points[0].w / kRoundFrom - 1.0), 0.0, 1.0);
     float zPerPixel = zPerMetre * max(origin.w, 1e-6) / frame.pixelsPerMetre;
     float rootWidth = points[0].w;
     float tipWidth = points[segments].w;
@@ -375,7 +382,7 @@ void main() {
             narrowing = -step.w * perPixel;
         }
         float front = bulge * p.w;
-        float back = front * cosine;
+        float back = roundness * front * cosine;
         if (i == 0u) {
             fronts.x = front - back;
             balls.x = back = front;
@@ -388,7 +395,7 @@ void main() {
         }
         points[i].xy -= back * ahead;
 #if STYLE != 4
-        if (p.z > 0.0) points[i].z = max(p.z + sine * front * zPerPixel, 0.0);
+        if (p.z > 0.0) points[i].z = max(p.z + roundness * sine * front * zPerPixel, 0.0);
 #endif
 #ifdef DEPTH_PASS
         if (!seen) seen = mayBeSeen(points[i]);

@@ -91,8 +91,9 @@ void Mirror::uploadSkin(const Skin& skin) {
     baseColors_ = std::move(colors.texture);
     materials_.upload(view(colors.materials));
     parts_ = partsOf(source, colors);
-    patches_ = makePatches(skin);
-    indices_.upload(view(inOrder(source.triangles, patches_.order)));
+    fine_.patches = makePatches(skin);
+    fine_.indices.upload(view(inOrder(source.triangles, fine_.patches.order)));
+    coarse_.clear();
     triangles_.upload(view(trianglesWithMaterial(skin, parts_)));
     sourceTriangles_.upload(view(source.triangles));
     corners_.upload(view(cornersOf(skin)));
@@ -160,7 +161,7 @@ bool Mirror::update(const Document& document, const std::shared_ptr<const Skin>&
         skinVertices_.upload(view(shown->vertices));
         shown_ = shown;
     }
-    if (newSkin || newPose) boundPatches(patches_, *shown);
+    if (newSkin || newPose) boundPatches(fine_.patches, *shown);
     const bool newRoots =
         newSkin || document.fur.hairs != fur_.hairs || document.fur.seed != fur_.seed;
     std::vector<bool> newChunks(document.groom.fur.chunkCount());
@@ -202,6 +203,18 @@ void Mirror::bind() const {
     glBindTextureUnit(binding::baseColors, baseColors_.name());
 }
 
+const Mirror::Surface& Mirror::surface(const Sight& sight, float deviation) {
+    const int level = shown_ == skin_ ? levelWithin(*skin_, sight, deviation) : kNoLevel;
+    if (level == kNoLevel) return fine_;
+    const auto [at, isNew] = coarse_.try_emplace(level);
+    if (isNew) {
+        SkinLevel made = makeSkinLevel(*skin_, level);
+        at->second.patches = std::move(made.patches);
+        at->second.indices.upload(view(made.triangles));
+    }
+    return at->second;
+}
+
 float Mirror::longestHair() const {
     float longest = 0.0f;
     for (const float ofChunk : longestOfChunk_) longest = std::max(longest, ofChunk);
@@ -209,8 +222,10 @@ float Mirror::longestHair() const {
 }
 
 std::size_t Mirror::bytes() const {
-    return skinVertices_.bytes() + furVertices_.bytes() + triangles_.bytes() +
-           sourceTriangles_.bytes() + indices_.bytes() + corners_.bytes() + mask_.bytes() +
+    std::size_t coarse = 0;
+    for (const auto& [level, surface] : coarse_) coarse += surface.indices.bytes();
+    return coarse + skinVertices_.bytes() + furVertices_.bytes() + triangles_.bytes() +
+           sourceTriangles_.bytes() + fine_.indices.bytes() + corners_.bytes() + mask_.bytes() +
            segmentOf_.bytes() + rootBuffer_.bytes();
 }
 

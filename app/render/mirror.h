@@ -2,13 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <vector>
 
 #include "app/render/gl.h"
 #include "core/document.h"
 #include "core/lod.h"
-#include "core/patches.h"
+#include "core/skin_levels.h"
 
 namespace pelage {
 
@@ -39,8 +40,14 @@ public:
     };
     const std::vector<Part>& parts() const { return parts_; }
     // Its triangles as it stands, and their corners in the order of the patches.
-    const Patches& patches() const { return patches_; }
-    const gl::Buffer& indices() const { return indices_; }
+    struct Surface {
+        Patches patches;
+        gl::Buffer indices;
+    };
+    const Surface& surface() const { return fine_; }
+    // Where edges may be off by `deviation` pixels. Levels are made when they are first needed;
+    // there are none in other poses than that at rest.
+    const Surface& surface(const Sight& sight, float deviation);
     const gl::Buffer& corners() const { return corners_; }
     // As it stands.
     const Skin& skin() const { return *shown_; }
@@ -64,11 +71,12 @@ private:
     std::vector<uvec2> chunksOf_;  // first and last chunk of the groom, by cluster
     bool textured_ = false;
     std::vector<Part> parts_;
-    Patches patches_;
+    Surface fine_;
+    std::map<int, Surface> coarse_;  // by level
     std::size_t chunksUploaded_ = 0;
     std::vector<float> longestOfChunk_;
     gl::Buffer skinVertices_, furVertices_, triangles_, sourceTriangles_, corners_, materials_,
-        mask_, segmentOf_, rootBuffer_, furBlock_, indices_;
+        mask_, segmentOf_, rootBuffer_, furBlock_;
     gl::Texture baseColors_;
 };
 

@@ -32,7 +32,7 @@ struct PictureKey {
     Camera camera;
     ivec2 size;
     Overlay overlay;
-    bool showSkin, showOver, showUnder, culls;
+    bool showSkin, showOver, showUnder, culls, coarsens;
     Detail detail;
     uint segments, sides;
     float tolerance, seconds;
@@ -47,6 +47,7 @@ struct PictureKey {
           showOver(v.showOver),
           showUnder(v.showUnder),
           culls(v.culls),
+          coarsens(v.coarsens),
           detail(v.detail),
           segments(v.segments),
           sides(v.sides),
@@ -170,13 +171,13 @@ struct Renderer::Parts {
     }
 
     FrameData frameData(const Document& document, const View& view, int sample, ivec2 pixels) const;
-    void drawSkin(const Canvas& canvas, const FrameData& frame, const View& view);
+    void drawSkin(const Canvas& canvas, const FrameData& frame, const View& view, float deviation);
     Box boxOf(const Sight& sight, const Pelt& pelt) const;
     Choice choice(const View& view, const FrameData& frame, const Pelt& pelt, const InSight& seen);
     // What `choose` takes of what is seen, drawn into a canvas.
     template <typename Choose>
     Sample draw(const Document& document, const View& view, const Canvas& canvas, int sample,
-                const Choose& choose);
+                float skinDeviation, const Choose& choose);
     void drawSample(const Document& document, const View& view);
     bool mayCheck(const View& view) const;
     void drawCheck(const Document& document, const View& view);
@@ -235,7 +236,9 @@ Box Renderer::Parts::boxOf(const Sight& sight, const Pelt& pelt) const {
             ivec2(glm::clamp(glm::ceil(outline.upper + kWidest), vec2(0.0f), limit))};
 }
 
-void Renderer::Parts::drawSkin(const Canvas& canvas, const FrameData& frame, const View& view) {
+// Edges of the skin may be off by so many pixels of the canvas.
+void Renderer::Parts::drawSkin(const Canvas& canvas, const FrameData& frame, const View& view,
+                               float deviation) {
     frameBlock.upload(std::span<const FrameData>(&frame, 1));
     mirror.bind();
     frameBlock.bindUniform(binding::frame);
@@ -247,12 +250,14 @@ void Renderer::Parts::drawSkin(const Canvas& canvas, const FrameData& frame, con
     const vec4 background(view.background, 1.0f);
     glClearBufferfv(GL_COLOR, 0, &background.x);
     glClearBufferfv(GL_DEPTH, 0, &one);
+    const Mirror::Surface& surface =
+        deviation > 0.0f ? mirror.surface(sightOf(frame), deviation) : mirror.surface();
     std::vector<Range> ranges;
     if (view.showSkin)
-        ranges = view.culls ? inView(mirror.patches(), sightOf(frame)) : allOf(mirror.patches());
+        ranges = view.culls ? inView(surface.patches, sightOf(frame)) : allOf(surface.patches);
     stats.trianglesDrawn = 0;
     for (const Range& range : ranges) stats.trianglesDrawn += range.count;
-    skinPass.draw(mirror, ranges, view.overlay != Overlay::none);
+    skinPass.draw(mirror, surface, ranges, view.overlay != Overlay::none);
 }
 
 // The detail that is asked for, or as much of it as fits the time.
@@ -283,11 +288,11 @@ Choice Renderer::Parts::choice(const View& view, const FrameData& frame, const P
 
 template <typename Choose>
 Sample Renderer::Parts::draw(const Document& document, const View& view, const Canvas& canvas,
-                             int sample, const Choose& choose) {
+                             int sample, float skinDeviation, const Choose& choose) {
     FrameData frame = frameData(document, view, sample, canvas.size);
     const Pelt pelt = peltOf(document.fur, frame.coats, frame.overWidth, frame.underWidth,
                              document.skin->area, mirror.longestHair());
-    drawSkin(canvas, frame, view);
+    drawSkin(canvas, frame, view, skinDeviation);
     const Box box = boxOf(sightOf(frame), pelt);
     const SkinDepth depth =
         strandPass.begin(canvas.depth, frameBlock, canvas.size, box.lower, box.upper);
@@ -319,7 +324,12 @@ void Renderer::Parts::drawSample(const Document& document, const View& view) {
     const auto choose = [&](const FrameData& frame, const Pelt& pelt, const InSight& seen) {
         return choice(view, frame, pelt, seen);
     };
-    const Sample sample = draw(document, view, canvas, samples, choose);
+    // What hair needs to keep to its time or its FLIP is chosen once the skin is drawn: for the
+    // skin that of the last frame counts.
+    const float last = blurred ? 0.5f * stats.deviation : stats.deviation;
+    const bool coarsens = view.coarsens && view.overlay == Overlay::none;
+    const float skinDeviation = coarsens ? deviationOf(view.detail, last) : 0.0f;
+    const Sample sample = draw(document, view, canvas, samples, skinDeviation, choose);
     if (samples == 0) begin(postPass, view, sample.box, canvas.size);
     if (!single) postPass.accumulate(canvas.color, samples == 0);
     ++samples;
@@ -347,7 +357,7 @@ void Renderer::Parts::drawCheck(const Document& document, const View& view) {
             return pelage::choose(mirror.roots(), seen, sightOf(frame), pelt,
                                   {.rule = Detail::Rule::all}, 0.0f, finenessOf(frame));
         };
-        const Sample sample = draw(document, view, check->canvas, check->samples, choose);
+        const Sample sample = draw(document, view, check->canvas, check->samples, 0.0f, choose);
         if (check->samples == 0) begin(check->post, view, sample.box, view.size);
         check->add();
         glFinish();
@@ -408,7 +418,10 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
         p.refined = false;
     }
     if (p.single && !single) p.samples = 0;
-    if (p.key && p.key->detail != key.detail) p.blurs = false;
+    if (p.key && p.key->detail != key.detail) {
+        p.blurs = false;
+        p.stats.deviation = 0.0f;
+    }
     p.key = key;
     p.single = single;
     p.resize(view.size);

@@ -31,6 +31,7 @@ struct View {
     float seconds = 0.0f;    // how long the wind has blown
     std::shared_ptr<const Skin> posed;  // the document's skin as it stands (pose.h); null = at rest
     Detail detail;                      // how many hairs, and how fine
+    bool coarsens = true;               // the skin too, where edges may be off; half as far
     bool culls = true;                  // leaves out early what cannot be seen; changes no picture
     int samples = 1;                    // frames that the still picture averages, [1, 1024]
     double patience = 1e9;  // s that a frame of all hairs may take, for the error to be measured

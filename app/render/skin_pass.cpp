@@ -30,9 +30,10 @@ SkinPass::SkinPass()
       overlay_(Program::draw("skin.vert", "skin.frag", {"TEXTURED", "OVERLAY"})),
       vertexArray_(cornerArray()) {}
 
-void SkinPass::draw(const Mirror& mirror, std::span<const Range> ranges, bool shows) const {
+void SkinPass::draw(const Mirror& mirror, const Mirror::Surface& surface,
+                    std::span<const Range> ranges, bool shows) const {
     glBindVertexArray(vertexArray_.name());
-    glVertexArrayElementBuffer(vertexArray_.name(), mirror.indices().name());
+    glVertexArrayElementBuffer(vertexArray_.name(), surface.indices.name());
     glVertexArrayVertexBuffer(vertexArray_.name(), 0, mirror.corners().name(), 0,
                               sizeof(CornerData));
     glEnable(GL_DEPTH_TEST);

@@ -9,9 +9,10 @@ namespace pelage {
 class SkinPass {
 public:
     SkinPass();
-    // These triangles into the bound framebuffer, with the frame block and the mirror bound.
-    // `shows` where there is an overlay.
-    void draw(const Mirror& mirror, std::span<const Range> ranges, bool shows) const;
+    // These triangles of a surface into the bound framebuffer, with the frame block and the mirror
+    // bound. `shows` where there is an overlay.
+    void draw(const Mirror& mirror, const Mirror::Surface& surface, std::span<const Range> ranges,
+              bool shows) const;
 
 private:
     Program plain_, textured_, overlay_;

@@ -7,11 +7,9 @@
 // groomed .glb against triangles. Each is fitted by a fixed time and a slope, so that the relative
 // misses are least; a miss is what the line is off by where it fits worst.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <exception>
-#include <functional>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -29,6 +27,7 @@
 #include "core/plot.h"
 #include "core/text.h"
 #include "flank.h"
+#include "milliseconds.h"
 
 namespace pelage::bench {
 namespace {
@@ -67,13 +66,6 @@ double worstMiss(const std::vector<Point>& points, const Line& line) {
     double worst = 0.0;
     for (const Point& p : points) worst = std::max(worst, std::abs(line.at(p.size) / p.ms - 1.0));
     return worst;
-}
-
-double msOf(const std::function<void()>& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-        .count();
 }
 
 View wholeView(const Document& document, int side) {
@@ -128,7 +120,7 @@ Growth dabsByFootprint() {
         for (const SkinHit& hit : path) {
             on.query.within(hit.position, brush.radius, under);
             found.push_back(static_cast<double>(under.size()));
-            times.push_back(msOf([&] { stroke.dab(groom, hit.position, hit.normal); }));
+            times.push_back(milliseconds([&] { stroke.dab(groom, hit.position, hit.normal); }));
         }
         growth.points.push_back({mean(found), mean(times)});
     }
@@ -142,7 +134,8 @@ Growth loadsByTriangles() {
         const Animal& on = animal(triangles);
         writeGroomedGlb(on.document, path);
         std::vector<double> times;
-        for (int i = 0; i < 3; ++i) times.push_back(msOf([&] { openDocument(readSource(path)); }));
+        for (int i = 0; i < 3; ++i)
+            times.push_back(milliseconds([&] { openDocument(readSource(path)); }));
         growth.points.push_back({on.triangles(), median(times)});
         std::remove(path.c_str());
     }

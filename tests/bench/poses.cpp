@@ -3,34 +3,22 @@
 // pelage_poses FILE [CLIP]: 100 frames of the clip at 900x900, one sample each, all hairs that the
 // distance leaves; medians. `rest` is the frame of a skin that does not move while the camera does,
 // `posed` a whole frame in another pose, and `core` the part of it in which the skin is posed.
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <vector>
 
+#include "app/render/frames.h"
 #include "app/render/headless.h"
-#include "app/render/renderer.h"
 #include "core/pose.h"
 #include "core/rig.h"
+#include "milliseconds.h"
 
 namespace pelage {
 namespace {
 
+using bench::milliseconds;
+
 constexpr int kFrames = 100;
-
-template <typename Work>
-double milliseconds(Work&& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-    return took.count();
-}
-
-double median(std::vector<double> times) {
-    std::nth_element(times.begin(), times.begin() + kFrames / 2, times.end());
-    return times[kFrames / 2];
-}
 
 void run(const char* file, const char* clip) {
     const Document document = openDocument(readSource(file));

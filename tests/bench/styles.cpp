@@ -5,13 +5,12 @@
 // tolerance that such a polyline keeps on screen, and surfaces 6 sides. `hair` is the frame without
 // that of the bare skin. Errors are those of the drawn chords against the exact curve, in pixels.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
+#include "app/render/frames.h"
 #include "app/render/headless.h"
-#include "app/render/renderer.h"
 #include "core/animal.h"
 #include "core/clumps.h"
 #include "core/coat.h"
@@ -34,18 +33,8 @@ View viewOf(const Document& document) {
     return view;
 }
 
-double medianFrame(Renderer& renderer, const Document& document, View view) {
-    std::vector<double> times;
-    for (int i = 0; i <= kFrames; ++i) {
-        view.camera.yaw += 1e-5f;  // so that the picture begins anew
-        const auto start = std::chrono::steady_clock::now();
-        renderer.draw(document, view);
-        const std::chrono::duration<double, std::milli> took =
-            std::chrono::steady_clock::now() - start;
-        if (i > 0) times.push_back(took.count());
-    }
-    std::nth_element(times.begin(), times.begin() + kFrames / 2, times.end());
-    return times[kFrames / 2];
+double medianFrame(Renderer& renderer, const Document& document, const View& view) {
+    return median(timeFrames(renderer, document, view, kFrames));
 }
 
 struct Hairs {

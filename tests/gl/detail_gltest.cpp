@@ -124,6 +124,39 @@ TEST(Detail, SkinOutsideTheViewIsLeftOut) {
     EXPECT_EQ(renderer.draw(document, view).trianglesDrawn, 0u);
 }
 
+// Where one skin covers a pixel the other covers it or one beside it.
+TEST(Detail, CoarseSkinMovesEdgesByNoMoreThanAPixel) {
+    Document document = test::evenDocument(test::ball(6));
+    Renderer renderer;
+    View view = test::ballView(document, 160);
+    view.showOver = view.showUnder = false;
+    view.camera.distance = 12.0f;
+    view.background = vec3(0.0f);
+    for (const float asked : {0.5f, 1.0f}) {
+        view.detail = {.rule = Rule::pixels, .limit = asked};
+        view.coarsens = false;
+        const auto fine = test::picture(renderer, document, view);
+        view.coarsens = true;
+        const auto coarse = test::picture(renderer, document, view);
+        EXPECT_LT(renderer.draw(document, view).trianglesDrawn,
+                  document.skin->triangles.size() / 2);
+        const auto at = [&](int x, int y) { return static_cast<std::size_t>(4 * (y * 160 + x)); };
+        for (int y = 1; y < 159; ++y)
+            for (int x = 1; x < 159; ++x) {
+                bool inFine = false, inCoarse = false;
+                for (int j = y - 1; j <= y + 1; ++j)
+                    for (int i = x - 1; i <= x + 1; ++i) {
+                        inFine |= fine[at(i, j)] > 0;
+                        inCoarse |= coarse[at(i, j)] > 0;
+                    }
+                EXPECT_TRUE(inFine || coarse[at(x, y)] == 0) << x << " " << y;
+                EXPECT_TRUE(inCoarse || fine[at(x, y)] == 0) << x << " " << y;
+            }
+    }
+    view.detail = {.rule = Rule::all};
+    EXPECT_EQ(renderer.draw(document, view).trianglesDrawn, document.skin->triangles.size());
+}
+
 // Both kinds of pixels show the same background: those that hair might reach, and the others.
 TEST(Detail, TheBackgroundIsOneColorInAndAroundTheBoxOfTheAnimal) {
     const Document document = shortHairedBall();

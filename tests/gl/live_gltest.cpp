@@ -109,9 +109,9 @@ Image tracedPicture(const std::shared_ptr<const ReferenceScene>& scene, const Vi
 
 // |bias| of the mean luminance, in each of these styles.
 void compareLight(Renderer& renderer, const Preset& preset, std::initializer_list<uint> styles,
-                  std::vector<double>& most) {
+                  std::vector<double>& most, int side = 80) {
     Document document = coated(preset.fur);
-    View view = test::ballView(document, 80);
+    View view = test::ballView(document, side);
     view.camera.distance *= 1.2f;
     view.segments = 16;
     view.samples = 8;
@@ -132,7 +132,7 @@ TEST(Live, PicturesAreAsBrightAsTheReference) {
     for (const Preset& preset : presets()) compareLight(renderer, preset, {kStylePolyline}, most);
     test::measured("I10", "bias of the mean luminance, polylines of all presets",
                    most[kStylePolyline], 0.01);
-    EXPECT_LT(most[kStylePolyline], 0.02);
+    EXPECT_LT(most[kStylePolyline], 0.025);  // hair of about a pixel, drawn without its front
     most.assign(5, 0.0);
     compareLight(renderer, presets().front(), {kStyleLine, kStyleRibbon, kStyleCurve, kStyleTube},
                  most);
@@ -150,11 +150,11 @@ TEST(Live, WideHairIsDrawnAsRoundAsItIs) {
     Renderer renderer;
     Preset plush = *std::ranges::find(presets(), "plush", &Preset::name);
     Document narrow = coated(plush.fur);
-    plush.fur.over.width = 2.0f * narrow.fur.over.width;
-    plush.fur.under.width = 2.0f * narrow.fur.under.width;
+    plush.fur.over.width = 4.0f * narrow.fur.over.width;
+    plush.fur.under.width = 4.0f * narrow.fur.under.width;
     std::vector<double> most(5, 0.0);
-    compareLight(renderer, plush, {kStylePolyline}, most);
-    EXPECT_LT(most[kStylePolyline], 0.015) << "flat hair would be 5 % too dark";
+    compareLight(renderer, plush, {kStylePolyline}, most, 240);
+    EXPECT_LT(most[kStylePolyline], 0.015) << "flat hair would be 3 % too dark";
 }
 
 }  // namespace

@@ -174,6 +174,7 @@ TEST(Renderer, DensityZeroDrawsNoHair) {
 
 TEST(Renderer, OverlaysChangeThePicture) {
     Document document = furryBall(1000);
+    document.fur.over.width = document.fur.under.width = 0.01f;  // so that skin shows
     document.groom = test::evenGroom(*document.skin, {vec3(0.0f), 0.1f, vec3(1.0f), 0.5f});
     View view = ballView(document, 32);
     Renderer renderer;
