@@ -16,6 +16,7 @@ namespace pelage {
 namespace {
 
 constexpr int kMaxSide = 8192;  // pixels
+constexpr const char* kShells = "shells";
 
 struct Options {
     InputOptions input;
@@ -26,6 +27,7 @@ struct Options {
     float time = 0.0f;                 // s
     std::optional<float> distance;     // m
     float yaw = 35.0f, pitch = 12.0f;  // degrees
+    std::string layers = "auto";
     int samples = 16, repeat = 3;
     Detail detail;
     TraceOptions trace;
@@ -80,6 +82,8 @@ View viewOf(const Document& document, const Options& options) {
     view.camera =
         framedCamera(document, glm::radians(options.yaw), glm::radians(options.pitch), view.size);
     view.detail = options.detail;
+    if (options.technique == kShells) view.shells = Shells::swept;
+    if (options.layers != "auto") view.layers = static_cast<uint>(std::stoul(options.layers));
     if (options.distance) view.camera.distance = *options.distance;
     return view;
 }
@@ -123,6 +127,7 @@ OrderedJson jsonOf(const Options& options, const Document& document, const View&
             {"deviation", stats.deviation},
             {"flip", stats.flip},
             {"samples", stats.samples},
+            {"msShellPass", 1e3 * stats.shellSeconds},
             {"msFrame", median(times)},
             {"msFrames", times},
             {"distance", view.camera.distance},
@@ -151,7 +156,8 @@ void render(const Options& options, bool json) {
         traceReference(document, view, options.trace, options.output, json);
         return;
     }
-    if (!options.technique.empty()) setParameter(document.fur, "both.style", options.technique);
+    if (!options.technique.empty() && view.shells == Shells::none)
+        setParameter(document.fur, "both.style", options.technique);
     const HeadlessContext context;
     Renderer renderer;
     const FrameStats stats = drawFinished(renderer, document, view);  // settles what FLIP asks for
@@ -181,11 +187,15 @@ void addRender(CLI::App& app, bool& json) {
         ->check(CLI::Validator(checkSize, ""));
     const auto styles = styleRow().choices;
     std::vector<std::string> techniques(styles.begin(), styles.end());
+    techniques.emplace_back(kShells);
     techniques.emplace_back(kReferenceTechnique);
     verb->add_option("--technique", options->technique,
                      "How hair is drawn, in place of the coats' own styles")
         ->type_name("NAME")
         ->check(CLI::IsMember(techniques));
+    verb->add_option("--layers", options->layers, "Of shells: their number, or auto")
+        ->type_name("N")
+        ->capture_default_str();
     verb->add_option("--clip", options->clip,
                      "Stand as in this animation, by name or number; see pelage info")
         ->type_name("NAME");

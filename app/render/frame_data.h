@@ -31,7 +31,7 @@ static_assert(sizeof(FrameData) == 64 + 16 + 16 + 48 + 16 + 16 + 16 + 16);
 
 // Where each buffer and texture is bound: the numbers in shaders/*.
 namespace binding {
-enum Uniform : unsigned { frame = 0, fur = 1 };
+enum Uniform : unsigned { frame = 0, fur = 1, shells = 2 };
 enum Storage : unsigned {
     skinVertices = 0,
     furVertices = 1,
@@ -42,7 +42,9 @@ enum Storage : unsigned {
     mask = 6,
     roots = 7,
     keys = 8,
+    shellVertices = 8,  // never with keys
     runs = 9,
+    curvatures = 9,  // never with runs
     counters = 10,
     lines = 11,
     seen = 11,  // never with lines
@@ -51,7 +53,7 @@ enum Storage : unsigned {
     strips = 14,
     rodTable = 15
 };
-enum Texture : unsigned { baseColors = 0, skinDepth = 1 };
+enum Texture : unsigned { baseColors = 0, skinDepth = 1, shellTile = 2 };
 }  // namespace binding
 
 }  // namespace pelage

@@ -51,6 +51,7 @@ public:
     const gl::Buffer& corners() const { return corners_; }
     // As it stands.
     const Skin& skin() const { return *shown_; }
+    const std::shared_ptr<const Skin>& shown() const { return shown_; }
     bool textured() const { return textured_; }
     // m, of all vertices
     float longestHair() const;

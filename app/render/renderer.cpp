@@ -12,6 +12,7 @@
 #include "app/render/frame_data.h"
 #include "app/render/mirror.h"
 #include "app/render/post_pass.h"
+#include "app/render/shell_pass.h"
 #include "app/render/skin_pass.h"
 #include "app/render/strand_pass.h"
 #include "core/fidelity.h"
@@ -34,6 +35,8 @@ struct PictureKey {
     Overlay overlay;
     bool showSkin, showOver, showUnder, culls, coarsens;
     Detail detail;
+    Shells shells;
+    uint layers;
     uint segments, sides;
     float tolerance, seconds;
     vec3 background;
@@ -49,6 +52,8 @@ struct PictureKey {
           culls(v.culls),
           coarsens(v.coarsens),
           detail(v.detail),
+          shells(v.shells),
+          layers(v.layers),
           segments(v.segments),
           sides(v.sides),
           tolerance(v.tolerance),
@@ -144,6 +149,7 @@ struct Renderer::Parts {
     Mirror mirror;
     SkinPass skinPass;
     StrandPass strandPass;
+    std::optional<ShellPass> shellPass;  // made when it is first needed
     PostPass postPass;
     gl::Buffer frameBlock;
     Canvas fine, coarse;
@@ -179,6 +185,7 @@ struct Renderer::Parts {
     Sample draw(const Document& document, const View& view, const Canvas& canvas, int sample,
                 float skinDeviation, const Choose& choose);
     void drawSample(const Document& document, const View& view);
+    void drawShells(const Document& document, const View& view);
     bool mayCheck(const View& view) const;
     void drawCheck(const Document& document, const View& view);
     void count(const InSight& seen, const Choice& chosen);
@@ -341,11 +348,37 @@ void Renderer::Parts::drawSample(const Document& document, const View& view) {
     count(sample.seen, sample.chosen);
 }
 
+// One sample in shells.
+void Renderer::Parts::drawShells(const Document& document, const View& view) {
+    const auto start = Clock::now();
+    blurred = false;
+    const FrameData frame = frameData(document, view, samples, fine.size);
+    const Pelt pelt = peltOf(document.fur, frame.coats, frame.overWidth, frame.underWidth,
+                             document.skin->area, mirror.longestHair());
+    stats = {};
+    drawSkin(fine, frame, view, 0.0f);
+    glFinish();
+    const auto shellStart = Clock::now();
+    if (!shellPass) shellPass.emplace();
+    shellPass->draw(mirror, document.fur, view, frame, frameBlock);
+    glFinish();
+    stats.shellSeconds = secondsSince(shellStart);
+    stats.layers = shellPass->layers();
+    stats.textureBytes = shellPass->textureBytes();
+    if (samples == 0) begin(postPass, view, boxOf(sightOf(frame), pelt), fine.size);
+    if (!single) postPass.accumulate(fine.color, samples == 0);
+    stats.samples = ++samples;
+    display(view);
+    glFinish();
+    stats.seconds = secondsSince(start);
+}
+
 // Whether the picture, once it is complete, is to be held against that of all hairs. Not where it
 // had to keep to a time, nor where that would take too long.
 bool Renderer::Parts::mayCheck(const View& view) const {
     return view.detail.rule == Detail::Rule::flip && view.detail.milliseconds == 0.0f &&
-           !stats.flipMeasured && finePace.secondsOf(allWork) <= view.patience;
+           view.shells == Shells::none && !stats.flipMeasured &&
+           finePace.secondsOf(allWork) <= view.patience;
 }
 
 void Renderer::Parts::drawCheck(const Document& document, const View& view) {
@@ -426,7 +459,10 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
     p.single = single;
     p.resize(view.size);
 
-    if (p.samples < wanted)
+    const bool shells = view.shells != Shells::none && view.overlay == Overlay::none;
+    if (p.samples < wanted && shells)
+        p.drawShells(document, view);
+    else if (p.samples < wanted)
         p.drawSample(document, view);
     else if (p.mayCheck(view))
         p.drawCheck(document, view);

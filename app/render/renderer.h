@@ -15,6 +15,10 @@ namespace pelage {
 
 enum class Overlay { none, length, density, direction, mask, segment };
 
+// Fur drawn in layers in place of single hairs: in one pass, whole between two layers or only at the
+// layers; or the skin drawn once for each.
+enum class Shells { none, swept, plain, instanced };
+
 struct OverlayLine {        // drawn over everything, with the depth of the skin tested
     vec3 a{0.0f}, b{0.0f};  // world
     vec4 color{1.0f};       // display RGB, alpha
@@ -30,6 +34,8 @@ struct View {
     uint sides = 0;          // of a tube, [3, 8]; 0 = as many as its width on screen needs
     float seconds = 0.0f;    // how long the wind has blown
     std::shared_ptr<const Skin> posed;  // the document's skin as it stands (pose.h); null = at rest
+    Shells shells = Shells::none;       // overlays are shown on single hairs in any case
+    uint layers = 0;                    // of shells, [0, 256]; 0 = as many as they need
     Detail detail;                      // how many hairs, and how fine
     bool coarsens = true;               // the skin too, where edges may be off; half as far
     bool culls = true;                  // leaves out early what cannot be seen; changes no picture
@@ -60,6 +66,9 @@ struct FrameStats {
     float flip = 0.0f;          // where one is asked for: the error (fidelity.h), as reckoned
     bool flipMeasured = false;  // or as measured, once the picture is complete
     double seconds = 0.0;       // to the end of the GPU's work
+    double shellSeconds = 0.0;  // of those, for the shells
+    uint layers = 0;            // of shells
+    std::size_t textureBytes = 0;  // of shells
     int samples = 0;            // averaged in the picture so far
     bool finished = false;      // nothing will change unless document or view do
 };

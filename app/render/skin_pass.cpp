@@ -1,28 +1,9 @@
 // skin_pass.cpp -- the skin under the fur.
 #include "app/render/skin_pass.h"
 
-#include <algorithm>
-#include <cstddef>
-#include <vector>
+#include "app/render/surface.h"
 
 namespace pelage {
-namespace {
-
-// The corners as vertices, as skin.vert reads them.
-gl::VertexArray cornerArray() {
-    gl::VertexArray array = gl::makeVertexArray();
-    const GLuint name = array.name();
-    for (const GLuint attribute : {0u, 1u, 2u}) {
-        glEnableVertexArrayAttrib(name, attribute);
-        glVertexArrayAttribBinding(name, attribute, 0);
-    }
-    glVertexArrayAttribFormat(name, 0, 2, GL_FLOAT, GL_FALSE, offsetof(CornerData, uv));
-    glVertexArrayAttribFormat(name, 1, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(CornerData, color));
-    glVertexArrayAttribIFormat(name, 2, 1, GL_UNSIGNED_INT, offsetof(CornerData, skinVertex));
-    return array;
-}
-
-}  // namespace
 
 SkinPass::SkinPass()
     : plain_(Program::draw("skin.vert", "skin.frag")),
@@ -32,38 +13,10 @@ SkinPass::SkinPass()
 
 void SkinPass::draw(const Mirror& mirror, const Mirror::Surface& surface,
                     std::span<const Range> ranges, bool shows) const {
-    glBindVertexArray(vertexArray_.name());
-    glVertexArrayElementBuffer(vertexArray_.name(), surface.indices.name());
-    glVertexArrayVertexBuffer(vertexArray_.name(), 0, mirror.corners().name(), 0,
-                              sizeof(CornerData));
-    glEnable(GL_DEPTH_TEST);
-    if (mirror.skin().outward) {
-        glEnable(GL_CULL_FACE);
-    } else {
-        glDisable(GL_CULL_FACE);
-    }
-    glDisable(GL_BLEND);
-    std::vector<GLsizei> counts;
-    std::vector<const void*> offsets;
-    for (auto first = ranges.begin(); first != ranges.end();) {
-        const auto last = std::find_if(first, ranges.end(),
-                                       [&](const Range& r) { return r.part != first->part; });
-        const Mirror::Part& part = mirror.parts()[first->part];
-        counts.clear();
-        offsets.clear();
-        for (; first != last; ++first) {
-            counts.push_back(static_cast<GLsizei>(3 * first->count));
-            offsets.push_back(reinterpret_cast<const void*>(first->first * 3 * sizeof(uint)));
-        }
-        const Program& program = shows ? overlay_ : part.layer >= 0.0f ? textured_ : plain_;
-        program.use();
-        glUniform1ui(0, part.material);
-        if (shows || part.layer >= 0.0f) glUniform1f(1, part.layer);
-        glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
-                            static_cast<GLsizei>(counts.size()));
-    }
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_DEPTH_TEST);
+    drawSurface(vertexArray_, mirror, surface, ranges,
+                [&](const Mirror::Part& part) -> const Program& {
+                    return shows ? overlay_ : part.layer >= 0.0f ? textured_ : plain_;
+                });
 }
 
 }  // namespace pelage

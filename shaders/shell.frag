@@ -1,0 +1,226 @@
+// shell.frag -- fur in a single pass: the ray behind a pixel goes through the layers of both coats
+// until it meets a hair.
+//
+// A layer is the surface that the points at t of all hairs make, z(t) over the skin. Between two
+// layers the ray is tested against the hairs' whole cross-sections (with PLAIN only at the layers):
+// seen along its hairs, a slab is a short way on the skin, and what it touches are the roots within a
+// hair's radius of that way.
+//
+// The skin is taken as a ball whose curvature is that of the skin in the direction of the ray, so that
+// a ray at the silhouette leaves the fur again. Only the hair's place is wrong where the skin bends
+// another way: never the depth of the skin, which hides what lies behind it.
+#include "frame.glsl"
+#include "strand.glsl"
+#include "fiber.glsl"
+#include "shell_data.glsl"
+#include "shell_hair.glsl"
+
+in vec3 place;
+in vec3 normal;
+in vec3 overA;
+in vec3 overB;
+in vec3 underA;
+in vec3 underB;
+in float top;
+in float bend;
+in float density;
+in float furLength;
+in vec3 tint;
+in vec3 bare;
+in vec2 uv;
+#ifdef TEXTURED
+layout(location = 1) uniform float layer;  // of the base-color textures
+#endif
+layout(depth_greater) out float gl_FragDepth;
+out vec4 color;
+
+const uint kMostSteps = 96u;
+// Slabs no longer than this share of the way from root to root: two roots of a texel are enough.
+const float kLongestSlab = 0.75;
+
+struct Ray {         // through the fur over a ball
+    float top;       // m, height where it begins
+    float bend;      // 1/m, curvature of the ball
+    float cosine;    // of its angle with the normal
+    float sine;
+    float far;       // 1 + bend * top
+};
+
+// Where the ray is at this height, m: on its way down, or up again. Where it does not get so low:
+// where it is lowest.
+float wayDown(Ray r, float height) {
+    float drop = (r.top - height) * (2.0 + r.bend * (r.top + height));
+    float b = r.cosine * r.far;
+    float d = b * b - r.bend * drop;
+    return d > 0.0 ? drop / (b + sqrt(d)) : b / r.bend;
+}
+float wayUp(Ray r, float height) {
+    float drop = (r.top - height) * (2.0 + r.bend * (r.top + height));
+    float b = r.cosine * r.far;
+    return (b + sqrt(max(b * b - r.bend * drop, 0.0))) / r.bend;
+}
+bool reaches(Ray r, float height) {
+    float b = r.cosine * r.far;
+    return b * b > r.bend * (r.top - height) * (2.0 + r.bend * (r.top + height));
+}
+
+// How far on the skin the ray has come, m.
+float arcOf(Ray r, float way) {
+    float u = max(r.far - r.bend * way * r.cosine, 0.25);
+    float x = r.bend * way * r.sine / u;
+    return way * r.sine / (u * (1.0 + 0.28 * x * x));  // atan(x) = x / (1 + 0.28 x^2)
+}
+
+struct Hit {
+    float way;     // m along the ray; 1e30 = none
+    float t;
+    float across;  // from the middle of the hair, in half widths
+    uint id;
+    bool over;
+};
+
+// Mean hair of a coat over a skin of unit normal n.
+struct Hair {
+    vec3 a, b;   // m, along the skin: t(1-t) a + t^2 b
+    float za;    // m, over the skin
+    float zb;
+};
+
+Hair hairOf(vec3 a, vec3 b, vec3 n) {
+    Hair h;
+    h.za = dot(a, n);
+    h.zb = dot(b, n);
+    h.a = a - h.za * n;
+    h.b = b - h.zb * n;
+    return h;
+}
+
+float heightAt(Hair h, float t) { return max(0.0, t * ((1.0 - t) * h.za + t * h.zb)); }
+vec3 asideAt(Hair h, float t) { return t * ((1.0 - t) * h.a + t * h.b); }
+
+// The place on the skin whose hair the ray touches with its point at t.
+vec3 rootAt(Ray ray, Hair hair, vec3 n, vec3 ahead, float way, float t) {
+    vec3 root = arcOf(ray, way) * ahead - asideAt(hair, t);
+    return place + root - (0.5 * ray.bend * dot(root, root)) * n;
+}
+
+Hit march(Ray ray, Hair hair, ShellCoat coat, uint coatNumber, vec3 n, vec3 ahead, float pixels,
+          Hit hit) {
+    // Hair that hangs is highest before its tip; what is beyond comes in no order.
+    float peak = hair.za > 2.0 * hair.zb ? 0.5 * hair.za / (hair.za - hair.zb) : 1.0;
+    float highest = heightAt(hair, peak);
+    if (!(highest > 0.0) || ray.top > highest && !reaches(ray, highest)) return hit;
+    Level level = levelFor(pixels);
+    bool leaves = ray.bend > 0.0 && !reaches(ray, 0.0);
+    vec3 shares = axisShares(n);
+
+    float way = wayDown(ray, min(heightAt(hair, 1.0), ray.top));
+    vec3 root = rootAt(ray, hair, n, ahead, way, 1.0);
+    vec3 end = rootAt(ray, hair, n, ahead, wayDown(ray, 0.0), 0.0);
+    float spacing = coat.period * exp2(float(level.tile)) / sqrt(float(kTileHairs));
+    float asked = max(distance(root, end) / (kLongestSlab * spacing), 4.0);
+    asked = max(asked, float(shellLayers) * min(1.0, highest / ray.top));
+    uint steps = uint(clamp(ceil(asked), 1.0, float(kMostSteps)));
+    uint last = leaves ? 2u * steps : steps;
+    float dt = 1.0 / float(steps);
+    Slab slab;
+    slab.to = root;
+    slab.t.y = 1.0;
+    bool inside = reaches(ray, heightAt(hair, 1.0));
+    for (uint i = 1u; i <= last; ++i) {
+        float before = way;
+        bool was = inside;
+        slab.from = slab.to;
+        slab.t.x = slab.t.y;
+        slab.t.y = abs(1.0 - float(i) * dt);
+        float height = min(heightAt(hair, slab.t.y), ray.top);
+        inside = reaches(ray, height);
+        way = i <= steps ? wayDown(ray, height) : wayUp(ray, height);
+        slab.to = rootAt(ray, hair, n, ahead, way, slab.t.y);
+        if (!was && !inside) continue;
+        // A hair that leans across the ray is cut into an ellipse.
+        vec3 step = slab.to - slab.from;
+        vec3 lean = asideAt(hair, slab.t.y) - asideAt(hair, slab.t.x);
+        float rise = heightAt(hair, slab.t.y) - heightAt(hair, slab.t.x);
+        float slant = dot(n, cross(lean, step));
+        slab.stretch = sqrt(1.0 + min(slant * slant / max(rise * rise * dot(step, step), 1e-20), 15.0));
+        vec3 there = normalize(n + ray.bend * (0.5 * (slab.from + slab.to) - place));
+        for (uint axis = 0u; axis < 3u; ++axis) {
+            if (shares[axis] < 0.02) continue;
+            TileHit one = tileHit(slab, axis, coatNumber, coat, level, there, density);
+            float at = mix(before, way, one.along);
+            if (!one.found || at >= hit.way) continue;
+            hit.way = at;
+            hit.t = mix(slab.t.x, slab.t.y, one.along);
+            hit.across = one.across;
+            hit.id = one.id;
+            hit.over = coatNumber == 0u;
+        }
+        if (hit.way <= way && slab.t.x <= peak) break;
+    }
+    return hit;
+}
+
+vec3 radianceOf(Hit hit, vec3 n, vec3 eye, vec3 base) {
+    Coat coat = fur.under;
+    if (hit.over) coat = fur.over;
+    Strand s;
+    s.weightless = hit.over ? overA : underA;
+    s.end = hit.over ? overB : underB;
+    s.binormal = safeUnit(cross(s.end, s.weightless), anyTangent(safeUnit(s.weightless, n)));
+    float twist = 3.1415927 * within(coat.normalRandomness, 0.0, 1.0) *
+                  (2.0 * rand01(hit.id + kDrawTwist) - 1.0);
+    s.cosTwist = cos(twist);
+    s.sinTwist = sin(twist);
+    s.normal = n;
+    s.tone = 1.0 + within(coat.colorNoise, 0.0, 1.0) * (2.0 * rand01(hit.id + kDrawTone) - 1.0);
+    s.style = coat.style;
+    s.clump = 0.0;
+    s.curl = 0.0;
+    s.frizz = 0.0;
+    s.droop = kDroopPaper;
+    float depth = depthInCoat(fur, frame.hairsPerArea * density, furLength, frame.overWidth,
+                              frame.underWidth, hit.over ? 0u : 1u, hit.t);
+    if (coat.style == kStyleRibbon || coat.style == kStyleTube)
+        return roundRadiance(s, coat, frame.light, base, hit.t, eye, depth);
+    return fiberRadiance(s, coat, frame.light, base, hit.t, eye, depth);
+}
+
+void main() {
+    vec3 n = safeUnit(normal, vec3(0.0, 1.0, 0.0));
+    vec3 entry = place + top * n;
+    vec3 eye = toEye(entry);
+    Ray ray;
+    ray.top = top;
+    ray.cosine = dot(n, eye);
+    if (!(top > 0.0) || !(ray.cosine > 1e-3)) discard;
+    vec3 across = ray.cosine * n - eye;
+    ray.sine = sqrt(dot(across, across));
+    vec3 ahead = safeUnit(across, vec3(0.0));
+    // Beyond these the skin folds over itself within the length of a hair.
+    ray.bend = clamp(bend, -0.5 / top, 8.0 / top);
+    ray.far = 1.0 + ray.bend * top;
+
+    float distance = frame.perspective > 0.0 ? max(dot(entry - frame.eye, frame.forward), 1e-6) : 1.0;
+    float pixelsPerMetre = frame.pixelsPerMetre / distance;
+    Hit hit;
+    hit.way = 1e30;
+    for (uint c = 0u; c < 2u; ++c) {
+        if ((shellCoats >> c & 1u) == 0u) continue;
+        Hair hair;
+        if (c == 0u) hair = hairOf(overA, overB, n);
+        else hair = hairOf(underA, underB, n);
+        ShellCoat coat = shellUnder;
+        if (c == 0u) coat = shellOver;
+        hit = march(ray, hair, coat, c, n, ahead, coat.width * pixelsPerMetre, hit);
+    }
+    if (hit.way > 1e29) discard;
+
+    vec3 skin = bare;
+#ifdef TEXTURED
+    skin *= textureLod(baseColors, vec3(uv, layer), 0.0).rgb;
+#endif
+    color = vec4(radianceOf(hit, n, eye, tint * mix(vec3(1.0), skin, fur.skinColor)), 1.0);
+    vec4 clip = frame.viewProjection * vec4(entry - hit.way * eye, 1.0);
+    gl_FragDepth = max(gl_FragCoord.z, 0.5 + 0.5 * clip.z / clip.w);
+}

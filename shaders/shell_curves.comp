@@ -1,0 +1,48 @@
+// shell_curves.comp -- the mean hair of both coats at each vertex of the skin, for shells to cut.
+//
+// A hair is taken as the parabola through its root, middle and tip: t(1-t) a + t^2 b over its root,
+// which the paper's hair is, and a rod nearly.
+#include "frame.glsl"
+#include "strand.glsl"
+#include "shell_data.glsl"
+
+layout(local_size_x = 64) in;
+layout(std430, binding = 8) writeonly buffer ShellVertices { ShellVertex shellVertices[]; };
+
+struct Curve {
+    vec3 a, b;  // m
+};
+
+Curve meanCurve(Coat coat, SkinVertex skin, FurVertex painted) {
+    coat.endRandomness = 0.0;  // how far single hairs stray from it is up to who draws them
+    float furLength = sanitizedLength(sanitizedLength(painted.furLength) * coat.relativeLength);
+    Strand s = bendStrand(vec3(0.0), safeUnit(skin.normal, vec3(0.0, 1.0, 0.0)), painted.direction,
+                          furLength, coat, 0u, pullAt(fur, skin.position, frame.seconds));
+    vec3 tip = spinePoint(s, 1.0);
+    return Curve(4.0 * spinePoint(s, 0.5) - tip, tip);
+}
+
+// How high it gets over the skin.
+float heightOf(Curve c, vec3 n) {
+    float a = dot(c.a, n);
+    float b = dot(c.b, n);
+    return max(0.0, a > 2.0 * b ? 0.25 * a * a / max(a - b, 1e-20) : b);
+}
+
+void main() {
+    uint v = gl_GlobalInvocationID.x + 64u * 65535u * gl_GlobalInvocationID.y;
+    if (v >= uint(skinVertices.length())) return;
+    Curve over = meanCurve(fur.over, skinVertices[v], furVertices[v]);
+    Curve under = meanCurve(fur.under, skinVertices[v], furVertices[v]);
+    ShellVertex shell;
+    shell.overA = over.a;
+    shell.overB = over.b;
+    shell.underA = under.a;
+    shell.underB = under.b;
+    vec3 n = skinVertices[v].normal;
+    shell.overHeight = heightOf(over, n);
+    shell.underHeight = heightOf(under, n);
+    shell.pad0 = 0u;
+    shell.pad1 = 0u;
+    shellVertices[v] = shell;
+}

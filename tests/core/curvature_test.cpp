@@ -1,0 +1,65 @@
+// curvature_test.cpp -- the promises of curvature.h on shapes whose curvature is known.
+#include "core/curvature.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "test_skins.h"
+
+namespace pelage {
+namespace {
+
+// A piece of the surface that `at` gives over [-1,1]^2, with the normals that `normal` gives.
+template <typename At, typename Normal>
+Skin surfaceOf(const At& at, const Normal& normal) {
+    Source source = test::sheet(40);
+    for (vec3& p : source.positions) p = at(2.0f * p.x, 2.0f * p.z);
+    Skin skin = *makeSkin(std::move(source));
+    for (SkinVertex& v : skin.vertices) v.normal = normal(v.position);
+    return skin;
+}
+
+TEST(Curvature, OfABallIsOneOverItsRadiusInEveryDirection) {
+    Skin skin = *makeSkin(test::ball(4));
+    for (SkinVertex& v : skin.vertices) {
+        v.normal = glm::normalize(v.position);
+        v.position *= 2.5f;
+    }
+    const std::vector<Curvature> curvatures = curvaturesOf(skin);
+    for (uint v = 0; v < skin.vertices.size(); v += 17) {
+        const vec3 a = anyTangent(skin.vertices[v].normal),
+                   b = glm::cross(a, skin.vertices[v].normal);
+        for (const vec3 t : {a, b, glm::normalize(a + b), glm::normalize(a - b)})
+            EXPECT_NEAR(curvatures[v].along(t), 0.4f, 1e-3f);
+        EXPECT_NEAR(curvatures[v].along(skin.vertices[v].normal), 0.0f, 1e-5f);
+    }
+}
+
+TEST(Curvature, OfATubeIsZeroAlongItAndNegativeInside) {
+    const auto tube = [](float x, float z) { return vec3(std::sin(x), std::cos(x), z); };
+    for (const float side : {1.0f, -1.0f}) {
+        const Skin skin =
+            surfaceOf(tube, [=](vec3 p) { return side * glm::normalize(vec3(p.x, p.y, 0.0f)); });
+        const std::vector<Curvature> curvatures = curvaturesOf(skin);
+        for (uint v = 0; v < skin.vertices.size(); v += 13) {
+            const vec3 along(0.0f, 0.0f, 1.0f);
+            const vec3 around = glm::cross(along, skin.vertices[v].normal);
+            EXPECT_NEAR(curvatures[v].along(along), 0.0f, 1e-3f);
+            EXPECT_NEAR(curvatures[v].along(around), side, 1e-2f);
+            EXPECT_NEAR(curvatures[v].along(glm::normalize(along + around)), 0.5f * side, 1e-2f);
+        }
+    }
+}
+
+TEST(Curvature, IsZeroWhereTheOneRingHasNoTwoDirections) {
+    Source line = test::oneMesh({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}});
+    for (const Curvature& c : curvaturesOf(*makeSkin(std::move(line))))
+        EXPECT_EQ(c.along(vec3(1.0f, 0.0f, 0.0f)), 0.0f);
+    Source flat = test::sheet(3);
+    for (const Curvature& c : curvaturesOf(*makeSkin(std::move(flat))))
+        EXPECT_NEAR(c.along(vec3(1.0f, 0.0f, 0.0f)), 0.0f, 1e-6f);
+}
+
+}  // namespace
+}  // namespace pelage
