@@ -17,11 +17,15 @@
 
 in vec3 place;
 in vec3 normal;
+in vec3 outer;
+in vec3 up;
 in vec3 overA;
 in vec3 overB;
 in vec3 underA;
 in vec3 underB;
 in float top;
+in float topAt;
+in float highest;
 in float bend;
 in float density;
 in float furLength;
@@ -36,7 +40,7 @@ out vec4 color;
 
 const uint kMostSteps = 96u;
 // Slabs no longer than this share of the way from root to root: two roots of a texel are enough.
-const float kLongestSlab = 0.75;
+const float kLongestSlab = 1.25;
 
 struct Ray {         // through the fur over a ball
     float top;       // m, height where it begins
@@ -44,24 +48,21 @@ struct Ray {         // through the fur over a ball
     float cosine;    // of its angle with the normal
     float sine;
     float far;       // 1 + bend * top
+    vec3 start;      // m, way on the skin from `place` to below where it begins
 };
 
-// Where the ray is at this height, m: on its way down, or up again. Where it does not get so low:
-// where it is lowest.
-float wayDown(Ray r, float height) {
+// Where the ray is at a height, m along it: on its way down, or up again; where it does not get so
+// low, where it is lowest.
+struct Way {
+    float way;
+    bool there;
+};
+Way wayTo(Ray r, float height, bool up) {
     float drop = (r.top - height) * (2.0 + r.bend * (r.top + height));
     float b = r.cosine * r.far;
     float d = b * b - r.bend * drop;
-    return d > 0.0 ? drop / (b + sqrt(d)) : b / r.bend;
-}
-float wayUp(Ray r, float height) {
-    float drop = (r.top - height) * (2.0 + r.bend * (r.top + height));
-    float b = r.cosine * r.far;
-    return (b + sqrt(max(b * b - r.bend * drop, 0.0))) / r.bend;
-}
-bool reaches(Ray r, float height) {
-    float b = r.cosine * r.far;
-    return b * b > r.bend * (r.top - height) * (2.0 + r.bend * (r.top + height));
+    float sum = b + sqrt(max(d, 0.0));
+    return Way(up || d <= 0.0 ? sum / r.bend : drop / sum, d > 0.0);
 }
 
 // How far on the skin the ray has come, m.
@@ -100,7 +101,7 @@ vec3 asideAt(Hair h, float t) { return t * ((1.0 - t) * h.a + t * h.b); }
 
 // The place on the skin whose hair the ray touches with its point at t.
 vec3 rootAt(Ray ray, Hair hair, vec3 n, vec3 ahead, float way, float t) {
-    vec3 root = arcOf(ray, way) * ahead - asideAt(hair, t);
+    vec3 root = ray.start + arcOf(ray, way) * ahead - asideAt(hair, t);
     return place + root - (0.5 * ray.bend * dot(root, root)) * n;
 }
 
@@ -109,54 +110,56 @@ Hit march(Ray ray, Hair hair, ShellCoat coat, uint coatNumber, vec3 n, vec3 ahea
     // Hair that hangs is highest before its tip; what is beyond comes in no order.
     float peak = hair.za > 2.0 * hair.zb ? 0.5 * hair.za / (hair.za - hair.zb) : 1.0;
     float highest = heightAt(hair, peak);
-    if (!(highest > 0.0) || ray.top > highest && !reaches(ray, highest)) return hit;
     Level level = levelFor(pixels);
-    bool leaves = ray.bend > 0.0 && !reaches(ray, 0.0);
-    vec3 shares = axisShares(n);
+    Way at = wayTo(ray, min(heightAt(hair, 1.0), ray.top), false);
+    Way skin = wayTo(ray, 0.0, false);
+    Slab slab;
+    slab.to = rootAt(ray, hair, n, ahead, at.way, 1.0);
+    slab.t.y = 1.0;
+    vec3 end = rootAt(ray, hair, n, ahead, skin.way, 0.0);
+    // The normal where the roots are, about.
+    Axes axes = axesOf(normalize(n + ray.bend * (0.5 * (slab.to + end) - place)), density);
 
-    float way = wayDown(ray, min(heightAt(hair, 1.0), ray.top));
-    vec3 root = rootAt(ray, hair, n, ahead, way, 1.0);
-    vec3 end = rootAt(ray, hair, n, ahead, wayDown(ray, 0.0), 0.0);
-    float spacing = coat.period * exp2(float(level.tile)) / sqrt(float(kTileHairs));
-    float asked = max(distance(root, end) / (kLongestSlab * spacing), 4.0);
+    float spacing = coat.period * exp2(0.5 * float(level.tile)) / sqrt(float(kTileHairs));
+    float asked = max(distance(slab.to, end) / (kLongestSlab * spacing), 4.0);
     asked = max(asked, float(shellLayers) * min(1.0, highest / ray.top));
     uint steps = uint(clamp(ceil(asked), 1.0, float(kMostSteps)));
-    uint last = leaves ? 2u * steps : steps;
+    uint last = skin.there ? steps : 2u * steps;  // or out of the fur again
+    if (!(highest > 0.0)) last = 0u;
     float dt = 1.0 / float(steps);
-    Slab slab;
-    slab.to = root;
-    slab.t.y = 1.0;
-    bool inside = reaches(ray, heightAt(hair, 1.0));
+    vec3 aside = asideAt(hair, 1.0);
+    float height = heightAt(hair, 1.0);
     for (uint i = 1u; i <= last; ++i) {
-        float before = way;
-        bool was = inside;
+        Way before = at;
+        vec3 asideBefore = aside;
+        float heightBefore = height;
         slab.from = slab.to;
         slab.t.x = slab.t.y;
         slab.t.y = abs(1.0 - float(i) * dt);
-        float height = min(heightAt(hair, slab.t.y), ray.top);
-        inside = reaches(ray, height);
-        way = i <= steps ? wayDown(ray, height) : wayUp(ray, height);
-        slab.to = rootAt(ray, hair, n, ahead, way, slab.t.y);
-        if (!was && !inside) continue;
+        aside = asideAt(hair, slab.t.y);
+        height = heightAt(hair, slab.t.y);
+        at = wayTo(ray, min(height, ray.top), i > steps);
+        slab.to = rootAt(ray, hair, n, ahead, at.way, slab.t.y);
         // A hair that leans across the ray is cut into an ellipse.
         vec3 step = slab.to - slab.from;
-        vec3 lean = asideAt(hair, slab.t.y) - asideAt(hair, slab.t.x);
-        float rise = heightAt(hair, slab.t.y) - heightAt(hair, slab.t.x);
-        float slant = dot(n, cross(lean, step));
-        slab.stretch = sqrt(1.0 + min(slant * slant / max(rise * rise * dot(step, step), 1e-20), 15.0));
-        vec3 there = normalize(n + ray.bend * (0.5 * (slab.from + slab.to) - place));
-        for (uint axis = 0u; axis < 3u; ++axis) {
-            if (shares[axis] < 0.02) continue;
-            TileHit one = tileHit(slab, axis, coatNumber, coat, level, there, density);
-            float at = mix(before, way, one.along);
-            if (!one.found || at >= hit.way) continue;
-            hit.way = at;
-            hit.t = mix(slab.t.x, slab.t.y, one.along);
-            hit.across = one.across;
-            hit.id = one.id;
-            hit.over = coatNumber == 0u;
+        float rise = height - heightBefore;
+        float slant = dot(n, cross(aside - asideBefore, step));
+        slab.stretch = 1.0 + min(slant * slant / max(rise * rise * dot(step, step), 1e-20), 15.0);
+        bool crossed = before.there || at.there;
+        for (uint k = 0u, axis = axes.first; k < axes.count; ++k) {
+            TileHit one = tileHit(slab, axis, coatNumber, coat, level, axes);
+            float way = mix(before.way, at.way, one.along);
+            if (one.along <= 1.0 && way < hit.way && crossed) {
+                hit.way = way;
+                hit.t = mix(slab.t.x, slab.t.y, one.along);
+                hit.across = one.across;
+                hit.id = one.id;
+                hit.over = coatNumber == 0u;
+            }
+            axis += axes.step;
+            axis -= axis > 2u ? 3u : 0u;
         }
-        if (hit.way <= way && slab.t.x <= peak) break;
+        if (hit.way <= at.way && slab.t.x <= peak) break;
     }
     return hit;
 }
@@ -187,9 +190,8 @@ vec3 radianceOf(Hit hit, vec3 n, vec3 eye, vec3 base) {
 }
 
 void main() {
-    vec3 n = safeUnit(normal, vec3(0.0, 1.0, 0.0));
-    vec3 entry = place + top * n;
-    vec3 eye = toEye(entry);
+    vec3 n = safeUnit(up, vec3(0.0, 1.0, 0.0));
+    vec3 eye = toEye(outer);
     Ray ray;
     ray.top = top;
     ray.cosine = dot(n, eye);
@@ -201,15 +203,16 @@ void main() {
     ray.bend = clamp(bend, -0.5 / top, 8.0 / top);
     ray.far = 1.0 + ray.bend * top;
 
-    float distance = frame.perspective > 0.0 ? max(dot(entry - frame.eye, frame.forward), 1e-6) : 1.0;
+    float distance = frame.perspective > 0.0 ? max(dot(outer - frame.eye, frame.forward), 1e-6) : 1.0;
     float pixelsPerMetre = frame.pixelsPerMetre / distance;
+    Hair hairs[2] = Hair[2](hairOf(overA, overB, n), hairOf(underA, underB, n));
+    ray.start = vec3(0.0);
     Hit hit;
     hit.way = 1e30;
     for (uint c = 0u; c < 2u; ++c) {
         if ((shellCoats >> c & 1u) == 0u) continue;
-        Hair hair;
-        if (c == 0u) hair = hairOf(overA, overB, n);
-        else hair = hairOf(underA, underB, n);
+        Hair hair = hairs[1];
+        if (c == 0u) hair = hairs[0];
         ShellCoat coat = shellUnder;
         if (c == 0u) coat = shellOver;
         hit = march(ray, hair, coat, c, n, ahead, coat.width * pixelsPerMetre, hit);
@@ -220,7 +223,7 @@ void main() {
 #ifdef TEXTURED
     skin *= textureLod(baseColors, vec3(uv, layer), 0.0).rgb;
 #endif
-    color = vec4(radianceOf(hit, n, eye, tint * mix(vec3(1.0), skin, fur.skinColor)), 1.0);
-    vec4 clip = frame.viewProjection * vec4(entry - hit.way * eye, 1.0);
+    color = vec4(radianceOf(hit, safeUnit(normal, n), eye, tint * mix(vec3(1.0), skin, fur.skinColor)), 1.0);
+    vec4 clip = frame.viewProjection * vec4(outer - hit.way * eye, 1.0);
     gl_FragDepth = max(gl_FragCoord.z, 0.5 + 0.5 * clip.z / clip.w);
 }

@@ -1,14 +1,21 @@
 // shell_data.glsl -- what the passes that draw fur in shells share.
 
-struct ShellVertex {  // one per vertex of the skin: the mean hair of both coats (shell_curves.comp)
-    vec3 overA;        // m, world, as underA and both B
-    float overHeight;  // m, greatest over the skin
+// One per vertex of the skin: the mean hair of both coats, t(1-t) a + t^2 b from its root, over a
+// skin that bends as it does there (shell_curves.comp). What is along `up` is height over the skin,
+// the rest is way on the skin.
+struct ShellVertex {
+    vec3 overA;   // m, world, as underA and both B
+    float top;    // m, greatest height of the higher coat
     vec3 overB;
-    float underHeight;
+    float topAt;  // t of the hair there
     vec3 underA;
-    uint pad0;
+    uint highest;  // 0 over, 1 under: the higher coat
     vec3 underB;
+    uint pad0;
+    vec3 outer;   // world, the place there
     uint pad1;
+    vec3 up;      // unit, normal of the skin below that place
+    uint pad2;
 };
 
 struct ShellCoat {    // of one coat

@@ -6,13 +6,21 @@
 // undoes the slant of the skin, so that hairs are as many on a square metre everywhere, without a
 // seam and without mixing.
 
-const uint kTileHairs = 1024u;  // in the finest level; each coarser one has the first quarter
-const uint kTileSide = 256u;    // texels of the finest level
-const uint kTileLevels = 5u;
+const uint kTileHairs = 1024u;  // in the finest level; each coarser one has the first half of them
+const uint kTileSide = 256u;    // texels of the finest level, and half as many after every second
+const uint kTileLevels = 9u;
 // Hairs on the tile for each that is needed on a skin across the axis: the greatest axisShares(n) / |n|.
 const float kTileExcess = 1.27;
 
-layout(binding = 2) uniform usampler2D shellTile;  // the two nearest roots of each texel
+// The two nearest roots of each texel, level after level.
+layout(std430, binding = 12) readonly buffer ShellTile { uvec2 shellTile[]; };
+
+// Texels of a level, and those of the levels before it.
+uvec2 tileLevel(uint level) {
+    uint side = kTileSide >> (level / 2u);
+    uint pair = kTileSide * kTileSide * 4u / 3u - side * side * 4u / 3u;
+    return uvec2(side, 2u * pair + (level % 2u) * side * side);
+}
 
 // How much of the hair at a place of unit normal n belongs to each axis.
 vec3 axisShares(vec3 n) {
@@ -37,10 +45,11 @@ TileRoot unpackRoot(uint bits) {
                     bits >> 22u);
 }
 
-struct Level {     // of detail
-    float share;   // of the hairs that is drawn
-    float fade;    // rank at which they have faded out
-    uint tile;     // level of the tile that has them all
+struct Level {    // of detail
+    float share;  // of the hairs that is drawn
+    float fade;   // rank at which they have faded out
+    uint tile;    // level of the tile that has them all
+    uvec2 texels;
 };
 
 // Of hairs so many pixels wide.
@@ -48,64 +57,87 @@ Level levelFor(float pixels) {
     Level level;
     level.share = clamp(pixels / max(leastWidth, 1e-6), 1.0 / 256.0, 1.0);
     level.fade = min(1.0, 1.2 * level.share);
-    level.tile = min(uint(max(0.0, -0.5 * log2(level.fade))), kTileLevels - 1u);
+    level.tile = min(uint(max(0.0, -log2(level.fade))), kTileLevels - 1u);
+    level.texels = tileLevel(level.tile);
     return level;
 }
 
+// Of a hair at this level of detail, in its full width.
+float widthShare(Level level, uint number) {
+    return fadedWidth((float(number) + 0.5) / float(kTileHairs), level.share, level.fade);
+}
+
+// The axes that have hair at a place: `first`, the one across which the skin lies most, then `step`
+// further in cyclic order, so many of them. (A loop over fewer, because software runs what follows
+// an if in any case.)
+struct Axes {
+    uint first, step, count;
+    vec3 chance;  // of a root to bear a hair, by axis
+    vec3 normal;
+};
+
+Axes axesOf(vec3 n, float density) {
+    const float kLeastShare = 0.02;
+    vec3 shares = axisShares(n);
+    vec3 size = abs(n);
+    Axes axes;
+    axes.first = size.x > size.y ? (size.x > size.z ? 0u : 2u) : (size.y > size.z ? 1u : 2u);
+    vec3 ordered = alongAxis(shares, axes.first);  // the first one is z
+    axes.step = ordered.x < kLeastShare ? 2u : 1u;
+    axes.count = 1u + uint(ordered.x >= kLeastShare) + uint(ordered.y >= kLeastShare);
+    axes.chance = shares * density / (kTileExcess * max(size, vec3(0.1)));
+    axes.normal = n;
+    return axes;
+}
+
+struct Slab {       // of a coat between two heights of its hair, as the ray sees it
+    vec3 from, to;  // the roots of hair that ends of the ray would touch, world
+    vec2 t;         // shares of the hair's length there
+    float stretch;  // square of that of the hair's width across the ray on the skin
+};
+
 struct TileHit {
-    bool found;
-    float along;   // share of the way through the slab
+    float along;   // share of the way through the slab; 2 = none
     float across;  // from the middle of the hair, in half widths
     uint id;
 };
 
-struct Slab {       // of a coat between two heights of its hair, as the ray sees it
-    vec3 from, to;  // the roots of hair that ends of the ray would touch
-    vec2 t;         // shares of the hair's length there
-    float stretch;  // of the hair's width across the ray on the skin
-};
-
-// The first hair of one axis that the ray meets in a slab. n is the normal at the slab's roots.
-TileHit tileHit(Slab slab, uint axis, uint coatNumber, ShellCoat coat, Level level, vec3 n,
-                float density) {
-    TileHit hit;
-    hit.found = false;
-    hit.along = 2.0;
-    vec3 m = alongAxis(n, axis);
+// The first hair of one axis that the ray meets in a slab.
+TileHit tileHit(Slab slab, uint axis, uint coatNumber, ShellCoat coat, Level level, Axes axes) {
+    TileHit hit = TileHit(2.0, 0.0, 0u);
+    vec3 m = alongAxis(axes.normal, axis);
     vec2 tilt = m.xy / m.z;
     vec2 from = alongAxis(slab.from, axis).xy;
     vec2 way = alongAxis(slab.to, axis).xy - from;
-    vec2 middle = from + 0.5 * way;
     // Each side of each axis and each coat has its own part of the tile.
     uint stream = 4u * axis + 2u * coatNumber + (m.z < 0.0 ? 1u : 0u);
-    vec2 tile = middle / coat.period + vec2(rand01(stream), rand01(stream + 16u));
-    ivec2 texel = ivec2(floor(fract(tile) * float(kTileSide >> level.tile)));
-    texel = min(texel, ivec2(int(kTileSide >> level.tile) - 1));
-    uvec2 roots = texelFetch(shellTile, texel, int(level.tile)).rg;
+    vec2 tile = (from + 0.5 * way) / coat.period + float(stream) * vec2(0.7548777, 0.5698403);
+    uint side = level.texels.x;
+    uvec2 texel = uvec2(ivec2(floor(tile * float(side)))) & (side - 1u);
+    uvec2 roots = shellTile[level.texels.y + texel.y * side + texel.x];
     float wayTilt = dot(way, tilt);
-    float square = dot(way, way) + wayTilt * wayTilt;
-    float share = axisShares(n)[axis] / (kTileExcess * abs(m.z)) * density;
+    float perSquare = 1.0 / max(dot(way, way) + wayTilt * wayTilt, 1e-20);
+    float chance = alongAxis(axes.chance, axis).z;
     for (uint k = 0u; k < 2u; ++k) {
-        TileRoot root = unpackRoot(k == 0u ? roots.x : roots.y);
+        uint bits = k == 0u ? roots.x : roots.y;
+        TileRoot root = unpackRoot(bits);
         vec2 apart = root.place - tile;
         vec2 cell = floor(0.5 - apart);
         vec2 offset = (apart + cell) * coat.period + 0.5 * way;  // from where the slab begins
         float offsetTilt = dot(offset, tilt);
-        float along = clamp((dot(offset, way) + offsetTilt * wayTilt) / max(square, 1e-20), 0.0, 1.0);
+        float along = clamp((dot(offset, way) + offsetTilt * wayTilt) * perSquare, 0.0, 1.0);
         vec2 rest = offset - along * way;
         float restTilt = dot(rest, tilt);
         float t = mix(slab.t.x, slab.t.y, along);
-        float rank = (float(root.number) + 0.5) / float(kTileHairs);
-        float radius = 0.5 * coat.width * fadedWidth(rank, level.share, level.fade) *
-                       (1.0 - coat.taper * t) * slab.stretch;
+        float radius = 0.5 * coat.width * widthShare(level, root.number) * (1.0 - coat.taper * t);
+        float square = radius * radius * slab.stretch;
         float distance2 = dot(rest, rest) + restTilt * restTilt;
-        uint id = pcg(uint(int(cell.x)) ^ pcg(uint(int(cell.y)) ^ pcg(root.number ^ stream << 16u)));
-        if (distance2 < radius * radius && along < hit.along && rand01(id) < share) {
-            hit.found = true;
+        uint id = pcg(bits ^ pcg(uint(int(cell.x)) * 73856093u ^ uint(int(cell.y)) * 19349663u ^
+                                 stream * 83492791u));
+        if (distance2 < square && along < hit.along && rand01(id) < chance) {
             hit.along = along;
             hit.id = id;
-            float side = way.x * rest.y - way.y * rest.x;
-            hit.across = sign(side) * sqrt(distance2) / radius;
+            hit.across = sign(way.x * rest.y - way.y * rest.x) * sqrt(distance2 / square);
         }
     }
     return hit;

@@ -49,11 +49,12 @@ enum Storage : unsigned {
     lines = 11,
     seen = 11,  // never with lines
     groups = 12,
+    shellTile = 12,  // never with groups
     segmentOf = 13,
     strips = 14,
     rodTable = 15
 };
-enum Texture : unsigned { baseColors = 0, skinDepth = 1, shellTile = 2 };
+enum Texture : unsigned { baseColors = 0, skinDepth = 1 };
 }  // namespace binding
 
 }  // namespace pelage

@@ -14,7 +14,7 @@ namespace pelage {
 namespace {
 
 // As in shaders/shell_hair.glsl.
-constexpr uint kTileHairs = 1024, kTileSide = 256, kTileLevels = 5;
+constexpr uint kTileHairs = 1024, kTileSide = 256, kTileLevels = 9;
 constexpr float kTileExcess = 1.27f;
 
 uint packed(const RootMap& map, uint number) {
@@ -39,24 +39,16 @@ ShellPass::ShellPass()
     makeTile();
 }
 
-// Each coarser level has the first quarter of the roots, which are as evenly spread.
+// Each coarser level has the first half of the roots, which are as evenly spread.
 void ShellPass::makeTile() {
-    GLuint name = 0;
-    glCreateTextures(GL_TEXTURE_2D, 1, &name);
-    tile_ = gl::Texture(name);
-    glTextureStorage2D(name, kTileLevels, GL_RG32UI, kTileSide, kTileSide);
-    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
-    glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    std::vector<uvec2> texels;
     for (uint level = 0; level < kTileLevels; ++level) {
-        const int side = static_cast<int>(kTileSide >> level);
-        const RootMap map = rootMap({.side = side, .hairs = kTileHairs >> (2 * level)});
-        std::vector<uvec2> texels;
-        texels.reserve(map.texels.size());
+        const int side = static_cast<int>(kTileSide >> (level / 2));
+        const RootMap map = rootMap({.side = side, .hairs = kTileHairs >> level});
         for (const RootTexel& texel : map.texels)
             texels.emplace_back(packed(map, texel.nearest), packed(map, texel.next));
-        glTextureSubImage2D(name, static_cast<GLint>(level), 0, 0, side, side, GL_RG_INTEGER,
-                            GL_UNSIGNED_INT, texels.data());
     }
+    tile_.upload(std::span<const uvec2>(texels));
 }
 
 void ShellPass::updateSkin(const Mirror& mirror) {
@@ -72,6 +64,7 @@ void ShellPass::findCurves(const Mirror& mirror, const Fur& fur) {
     (rods ? rodCurves_ : curves_).use();
     rodTable_.bindStorage(binding::rodTable);
     vertices_.bindStorage(binding::shellVertices);
+    curvatures_.bindStorage(binding::curvatures);
     const auto groups = static_cast<uint>((mirror.skin().vertices.size() + 63) / 64);
     if (groups > 0) glDispatchCompute(std::min(groups, 65535u), (groups + 65534u) / 65535u, 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -96,20 +89,11 @@ void ShellPass::draw(const Mirror& mirror, const Fur& fur, const View& view, con
     block_.bindUniform(binding::shells);
     findCurves(mirror, fur);
 
-    vertices_.bindStorage(binding::shellVertices);
-    curvatures_.bindStorage(binding::curvatures);
-    glBindTextureUnit(binding::shellTile, tile_.name());
+    tile_.bindStorage(binding::shellTile);
     drawSurface(vertexArray_, mirror, mirror.surface(), allOf(mirror.surface().patches),
                 [&](const Mirror::Part& part) -> const Program& {
                     return part.layer >= 0.0f ? sweptTextured_ : swept_;
                 });
-}
-
-std::size_t ShellPass::textureBytes() const {
-    std::size_t texels = 0;
-    for (uint level = 0; level < kTileLevels; ++level)
-        texels += std::size_t{kTileSide >> level} * (kTileSide >> level);
-    return texels * sizeof(uvec2);
 }
 
 std::size_t ShellPass::bytes() const {

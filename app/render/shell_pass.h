@@ -13,13 +13,17 @@ namespace pelage {
 // The uniform block and the buffer of shaders/shell_data.glsl, as C++.
 struct ShellVertex {
     vec3 overA{0.0f};
-    float overHeight = 0.0f;
+    float top = 0.0f;
     vec3 overB{0.0f};
-    float underHeight = 0.0f;
+    float topAt = 0.0f;
     vec3 underA{0.0f};
-    uint pad0 = 0;
+    uint highest = 0;
     vec3 underB{0.0f};
+    uint pad0 = 0;
+    vec3 outer{0.0f};
     uint pad1 = 0;
+    vec3 up{0.0f};
+    uint pad2 = 0;
 };
 struct ShellCoat {
     float period = 1.0f, width = 0.0f, taper = 0.0f, stray = 0.0f;
@@ -41,7 +45,7 @@ public:
               const gl::Buffer& frameBlock);
 
     uint layers() const { return layers_; }  // of the last draw
-    std::size_t textureBytes() const;  // of the tile of roots with its levels
+    std::size_t textureBytes() const { return tile_.bytes(); }  // of the tile of roots, all levels
     std::size_t bytes() const;
 
 private:
@@ -51,8 +55,7 @@ private:
 
     Program curves_, rodCurves_, swept_, sweptTextured_;
     gl::VertexArray vertexArray_;
-    gl::Texture tile_;
-    gl::Buffer block_, vertices_, curvatures_, rodTable_;
+    gl::Buffer tile_, block_, vertices_, curvatures_, rodTable_;
     uint layers_ = 0;
     std::shared_ptr<const Skin> skin_;  // whose curvatures are known
 };
