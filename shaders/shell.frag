@@ -17,15 +17,11 @@
 
 in vec3 place;
 in vec3 normal;
-in vec3 outer;
-in vec3 up;
 in vec3 overA;
 in vec3 overB;
 in vec3 underA;
 in vec3 underB;
 in float top;
-in float topAt;
-in float highest;
 in float bend;
 in float density;
 in float furLength;
@@ -39,8 +35,8 @@ layout(depth_greater) out float gl_FragDepth;
 out vec4 color;
 
 const uint kMostSteps = 96u;
-// Slabs no longer than this share of the way from root to root: two roots of a texel are enough.
-const float kLongestSlab = 1.25;
+// Of the way from root to root that a slab is long at most: two roots of a texel are enough.
+const float kLongestSlab = 1.75;
 
 struct Ray {         // through the fur over a ball
     float top;       // m, height where it begins
@@ -48,7 +44,6 @@ struct Ray {         // through the fur over a ball
     float cosine;    // of its angle with the normal
     float sine;
     float far;       // 1 + bend * top
-    vec3 start;      // m, way on the skin from `place` to below where it begins
 };
 
 // Where the ray is at a height, m along it: on its way down, or up again; where it does not get so
@@ -99,9 +94,26 @@ Hair hairOf(vec3 a, vec3 b, vec3 n) {
 float heightAt(Hair h, float t) { return max(0.0, t * ((1.0 - t) * h.za + t * h.zb)); }
 vec3 asideAt(Hair h, float t) { return t * ((1.0 - t) * h.a + t * h.b); }
 
+// How hairs lean apart: together with their neighbors, so that none has to be looked for.
+struct Stray {
+    float reach;      // m, at the tip
+    float perMetre;   // waves
+};
+
+// Waves of ten hairs; as far as a random end takes a hair on average, but never so far that hairs
+// would fold over each other.
+Stray strayOf(ShellCoat coat) {
+    const float kMeanOfBall = 0.4472136;  // root mean square of each coordinate, 1 / sqrt(5)
+    const float kMeanOfWave = 0.7302967;  // of a parabola's waves, sqrt(8 / 15)
+    float wave = 10.0 * coat.period / sqrt(float(kTileHairs));
+    return Stray(min(coat.stray * furLength * (kMeanOfBall / kMeanOfWave), 0.1 * wave), 1.0 / wave);
+}
+
 // The place on the skin whose hair the ray touches with its point at t.
-vec3 rootAt(Ray ray, Hair hair, vec3 n, vec3 ahead, float way, float t) {
-    vec3 root = ray.start + arcOf(ray, way) * ahead - asideAt(hair, t);
+vec3 rootAt(Ray ray, Hair hair, Stray stray, vec3 n, vec3 ahead, float way, float t) {
+    vec3 root = arcOf(ray, way) * ahead - asideAt(hair, t);
+    vec3 lean = waves(stray.perMetre * (place + root));
+    root -= (t * stray.reach) * (lean - dot(lean, n) * n);
     return place + root - (0.5 * ray.bend * dot(root, root)) * n;
 }
 
@@ -111,12 +123,13 @@ Hit march(Ray ray, Hair hair, ShellCoat coat, uint coatNumber, vec3 n, vec3 ahea
     float peak = hair.za > 2.0 * hair.zb ? 0.5 * hair.za / (hair.za - hair.zb) : 1.0;
     float highest = heightAt(hair, peak);
     Level level = levelFor(pixels);
+    Stray stray = strayOf(coat);
     Way at = wayTo(ray, min(heightAt(hair, 1.0), ray.top), false);
     Way skin = wayTo(ray, 0.0, false);
     Slab slab;
-    slab.to = rootAt(ray, hair, n, ahead, at.way, 1.0);
+    slab.to = rootAt(ray, hair, stray, n, ahead, at.way, 1.0);
     slab.t.y = 1.0;
-    vec3 end = rootAt(ray, hair, n, ahead, skin.way, 0.0);
+    vec3 end = rootAt(ray, hair, stray, n, ahead, skin.way, 0.0);
     // The normal where the roots are, about.
     Axes axes = axesOf(normalize(n + ray.bend * (0.5 * (slab.to + end) - place)), density);
 
@@ -139,7 +152,7 @@ Hit march(Ray ray, Hair hair, ShellCoat coat, uint coatNumber, vec3 n, vec3 ahea
         aside = asideAt(hair, slab.t.y);
         height = heightAt(hair, slab.t.y);
         at = wayTo(ray, min(height, ray.top), i > steps);
-        slab.to = rootAt(ray, hair, n, ahead, at.way, slab.t.y);
+        slab.to = rootAt(ray, hair, stray, n, ahead, at.way, slab.t.y);
         // A hair that leans across the ray is cut into an ellipse.
         vec3 step = slab.to - slab.from;
         float rise = height - heightBefore;
@@ -190,7 +203,8 @@ vec3 radianceOf(Hit hit, vec3 n, vec3 eye, vec3 base) {
 }
 
 void main() {
-    vec3 n = safeUnit(up, vec3(0.0, 1.0, 0.0));
+    vec3 n = safeUnit(normal, vec3(0.0, 1.0, 0.0));
+    vec3 outer = place + top * n;
     vec3 eye = toEye(outer);
     Ray ray;
     ray.top = top;
@@ -206,7 +220,6 @@ void main() {
     float distance = frame.perspective > 0.0 ? max(dot(outer - frame.eye, frame.forward), 1e-6) : 1.0;
     float pixelsPerMetre = frame.pixelsPerMetre / distance;
     Hair hairs[2] = Hair[2](hairOf(overA, overB, n), hairOf(underA, underB, n));
-    ray.start = vec3(0.0);
     Hit hit;
     hit.way = 1e30;
     for (uint c = 0u; c < 2u; ++c) {
@@ -223,7 +236,7 @@ void main() {
 #ifdef TEXTURED
     skin *= textureLod(baseColors, vec3(uv, layer), 0.0).rgb;
 #endif
-    color = vec4(radianceOf(hit, safeUnit(normal, n), eye, tint * mix(vec3(1.0), skin, fur.skinColor)), 1.0);
+    color = vec4(radianceOf(hit, n, eye, tint * mix(vec3(1.0), skin, fur.skinColor)), 1.0);
     vec4 clip = frame.viewProjection * vec4(outer - hit.way * eye, 1.0);
     gl_FragDepth = max(gl_FragCoord.z, 0.5 + 0.5 * clip.z / clip.w);
 }

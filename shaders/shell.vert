@@ -2,25 +2,31 @@
 #include "frame.glsl"
 #include "strand.glsl"
 #include "shell_data.glsl"
-#include "curvature.glsl"
 
 layout(location = 0) in vec2 cornerUv;  // members of a Corner
 layout(location = 1) in vec4 cornerColor;
 layout(location = 2) in uint skinVertex;
 layout(location = 0) uniform uint material;  // of the part that is drawn
 layout(std430, binding = 8) readonly buffer ShellVertices { ShellVertex shellVertices[]; };
+struct Curvature {  // core/curvature.h
+    vec4 first;   // xx, xy, xz, yy of a symmetric map
+    vec4 second;  // yz, zz
+};
+layout(std430, binding = 9) readonly buffer Curvatures { Curvature curvatures[]; };
 
-out vec3 place;     // of the root, world
-out vec3 normal;    // there
-out vec3 outer;     // as in ShellVertex, as up to topAt
-out vec3 up;
-out vec3 overA;
+// 1/m, times the square of the length of t: that of the skin's section along the tangent t.
+float curvatureAlong(Curvature c, vec3 t) {
+    return c.first.x * t.x * t.x + c.first.w * t.y * t.y + c.second.y * t.z * t.z +
+           2.0 * (c.first.y * t.x * t.y + c.first.z * t.x * t.z + c.second.x * t.y * t.z);
+}
+
+out vec3 place;     // of the skin, world
+out vec3 normal;
+out vec3 overA;     // as in ShellVertex
 out vec3 overB;
 out vec3 underA;
 out vec3 underB;
 out float top;
-out float topAt;
-out float highest;
 out float bend;     // 1/m, curvature of the skin in the direction of the view
 out float density;
 out float furLength;
@@ -38,17 +44,14 @@ void main() {
     overB = shell.overB;
     underA = shell.underA;
     underB = shell.underB;
-    outer = shell.outer;
-    up = shell.up;
     top = shell.top;
-    topAt = shell.topAt;
-    highest = float(shell.highest);
     density = painted.density > 0.0 ? min(painted.density, 1.0) : 0.0;
     furLength = painted.furLength;
     uv = cornerUv;
     tint = painted.tint;
     bare = materials[material].color * cornerColor.rgb;
 
+    vec3 outer = v.position + top * v.normal;
     vec3 eye = toEye(outer);
     vec3 along = eye - dot(eye, v.normal) * v.normal;
     bend = curvatureAlong(curvatures[skinVertex], along) / max(dot(along, along), 1e-12);

@@ -1,20 +1,14 @@
 // shell_data.glsl -- what the passes that draw fur in shells share.
 
-// One per vertex of the skin: the mean hair of both coats, t(1-t) a + t^2 b from its root, over a
-// skin that bends as it does there (shell_curves.comp). What is along `up` is height over the skin,
-// the rest is way on the skin.
+// One per vertex of the skin: the mean hair of both coats, t(1-t) a + t^2 b from its root.
 struct ShellVertex {
-    vec3 overA;   // m, world, as underA and both B
-    float top;    // m, greatest height of the higher coat
+    vec3 overA;  // m, world, as underA and both B
+    float top;   // m, how high they get over the skin
     vec3 overB;
-    float topAt;  // t of the hair there
-    vec3 underA;
-    uint highest;  // 0 over, 1 under: the higher coat
-    vec3 underB;
     uint pad0;
-    vec3 outer;   // world, the place there
+    vec3 underA;
     uint pad1;
-    vec3 up;      // unit, normal of the skin below that place
+    vec3 underB;
     uint pad2;
 };
 
@@ -22,7 +16,7 @@ struct ShellCoat {    // of one coat
     float period;     // m, side of the tile of roots
     float width;      // m, of a hair at its root
     float taper;
-    float stray;      // [0,1] how far hairs lean apart
+    float stray;      // share of the painted length by which tips stray from the mean hair's
 };
 
 layout(std140, binding = 2) uniform ShellBlock {

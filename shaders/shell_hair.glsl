@@ -35,6 +35,13 @@ vec3 alongAxis(vec3 v, uint axis) {
     return axis == 0u ? v.yzx : (axis == 1u ? v.zxy : v);
 }
 
+// Smooth waves through space of amplitude 1 and period 1, one for each direction, each across it.
+vec3 waves(vec3 p) {
+    vec3 x = p.yzx + 0.37 * p.zxy;
+    x = 2.0 * (x - floor(x + 0.5));
+    return 4.0 * x * (1.0 - abs(x));
+}
+
 struct TileRoot {
     vec2 place;   // in tiles
     uint number;

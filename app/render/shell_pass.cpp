@@ -74,9 +74,9 @@ void ShellPass::draw(const Mirror& mirror, const Fur& fur, const View& view, con
                      const gl::Buffer& frameBlock) {
     ShellData data;
     data.over = {periodOf(fur.share * frame.hairsPerArea), frame.overWidth, fur.over.taper,
-                 fur.over.endRandomness};
+                 fur.over.endRandomness * fur.over.relativeLength};
     data.under = {periodOf((1.0f - fur.share) * frame.hairsPerArea), frame.underWidth,
-                  fur.under.taper, fur.under.endRandomness};
+                  fur.under.taper, fur.under.endRandomness * fur.under.relativeLength};
     data.coats = frame.coats & ((fur.share > 0.0f ? 1u : 0u) | (fur.share < 1.0f ? 2u : 0u));
     if (!(frame.hairsPerArea > 0.0f) || data.coats == 0) return;
     data.layers = view.layers;

@@ -15,14 +15,10 @@ struct ShellVertex {
     vec3 overA{0.0f};
     float top = 0.0f;
     vec3 overB{0.0f};
-    float topAt = 0.0f;
-    vec3 underA{0.0f};
-    uint highest = 0;
-    vec3 underB{0.0f};
     uint pad0 = 0;
-    vec3 outer{0.0f};
+    vec3 underA{0.0f};
     uint pad1 = 0;
-    vec3 up{0.0f};
+    vec3 underB{0.0f};
     uint pad2 = 0;
 };
 struct ShellCoat {
