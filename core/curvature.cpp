@@ -34,11 +34,12 @@ Curvature curvatureAt(const Skin& skin, uint v) {
         const double weight = 1.0 / square;
         const double x = glm::dot(way, a), y = glm::dot(way, b);
         const double s = glm::dot(turn, a), t = glm::dot(turn, b);
-        left += weight * glm::dmat3(x * x, x * y, 0.0, x * y, x * x + y * y, x * y, 0.0, x * y,
-                                    y * y);
+        left +=
+            weight * glm::dmat3(x * x, x * y, 0.0, x * y, x * x + y * y, x * y, 0.0, x * y, y * y);
         right += weight * glm::dvec3(x * s, y * s + x * t, y * t);
     }
-    // The mean of the diagonal is about the number of neighbors; two directions leave no less of it.
+    // The mean of the diagonal is about the number of neighbors; two directions leave no less of
+    // it.
     if (!(std::abs(glm::determinant(left)) > 1e-6)) return {};
     return inSpace(a, b, vec3(glm::inverse(left) * right));
 }

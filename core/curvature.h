@@ -17,7 +17,8 @@ struct Curvature {
     float along(vec3 tangent) const;
 };
 
-// At each vertex the best fit to the normals of its one-ring; zero where that has no two directions.
+// At each vertex the best fit to the normals of its one-ring; zero where that has no two
+// directions.
 std::vector<Curvature> curvaturesOf(const Skin& skin);
 
 }  // namespace pelage

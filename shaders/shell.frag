@@ -14,27 +14,21 @@
 #include "fiber.glsl"
 #include "shell_data.glsl"
 #include "shell_hair.glsl"
+#include "shell_shade.glsl"
 
-in vec3 place;
-in vec3 normal;
-in vec3 overA;
-in vec3 overB;
-in vec3 underA;
-in vec3 underB;
-in float top;
-in float bend;
-in float density;
-in float furLength;
-in vec3 tint;
-in vec3 bare;
-in vec2 uv;
-#ifdef TEXTURED
-layout(location = 1) uniform float layer;  // of the base-color textures
-#endif
+#ifdef SKIN
+layout(early_fragment_tests) in;
+#else
 layout(depth_greater) out float gl_FragDepth;
+#endif
 out vec4 color;
 
-const uint kMostSteps = 96u;
+const uint kMostSteps = 256u;
+#ifdef PLAIN
+const float kInSlab = 0.5;  // where a layer lies in its slab
+#else
+const float kInSlab = 0.0;
+#endif
 // Of the way from root to root that a slab is long at most: two roots of a texel are enough.
 const float kLongestSlab = 1.75;
 
@@ -66,14 +60,6 @@ float arcOf(Ray r, float way) {
     float x = r.bend * way * r.sine / u;
     return way * r.sine / (u * (1.0 + 0.28 * x * x));  // atan(x) = x / (1 + 0.28 x^2)
 }
-
-struct Hit {
-    float way;     // m along the ray; 1e30 = none
-    float t;
-    float across;  // from the middle of the hair, in half widths
-    uint id;
-    bool over;
-};
 
 // Mean hair of a coat over a skin of unit normal n.
 struct Hair {
@@ -110,14 +96,27 @@ Stray strayOf(ShellCoat coat) {
 }
 
 // The place on the skin whose hair the ray touches with its point at t.
-vec3 rootAt(Ray ray, Hair hair, Stray stray, vec3 n, vec3 ahead, float way, float t) {
+vec3 rootAt(Ray ray, vec3 place, Hair hair, Stray stray, vec3 n, vec3 ahead, float way, float t) {
     vec3 root = arcOf(ray, way) * ahead - asideAt(hair, t);
     vec3 lean = waves(stray.perMetre * (place + root));
     root -= (t * stray.reach) * (lean - dot(lean, n) * n);
     return place + root - (0.5 * ray.bend * dot(root, root)) * n;
 }
 
-Hit march(Ray ray, Hair hair, ShellCoat coat, uint coatNumber, vec3 n, vec3 ahead, float pixels,
+// Slabs that a coat needs where the way on the skin is so many times that from root to root.
+float stepsFor(Ray ray, ShellCoat coat, float highest, float spacings) {
+    float asked = float(shellLayers) * min(1.0, highest / ray.top);
+#ifdef PLAIN
+    // A hair that is cut into discs q of their diameter apart keeps 1 - q^2 / 6 of its depth.
+    const float kApart = 0.5;
+    if (shellLayers == 0u) asked = spacings * coat.period / (32.0 * kApart * coat.width);
+#else
+    asked = max(asked, max(spacings / kLongestSlab, 4.0));
+#endif
+    return asked;
+}
+
+Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, vec3 n, vec3 ahead, float pixels,
           Hit hit) {
     // Hair that hangs is highest before its tip; what is beyond comes in no order.
     float peak = hair.za > 2.0 * hair.zb ? 0.5 * hair.za / (hair.za - hair.zb) : 1.0;
@@ -127,15 +126,14 @@ Hit march(Ray ray, Hair hair, ShellCoat coat, uint coatNumber, vec3 n, vec3 ahea
     Way at = wayTo(ray, min(heightAt(hair, 1.0), ray.top), false);
     Way skin = wayTo(ray, 0.0, false);
     Slab slab;
-    slab.to = rootAt(ray, hair, stray, n, ahead, at.way, 1.0);
+    slab.to = rootAt(ray, place, hair, stray, n, ahead, at.way, 1.0);
     slab.t.y = 1.0;
-    vec3 end = rootAt(ray, hair, stray, n, ahead, skin.way, 0.0);
+    vec3 end = rootAt(ray, place, hair, stray, n, ahead, skin.way, 0.0);
     // The normal where the roots are, about.
     Axes axes = axesOf(normalize(n + ray.bend * (0.5 * (slab.to + end) - place)), density);
 
     float spacing = coat.period * exp2(0.5 * float(level.tile)) / sqrt(float(kTileHairs));
-    float asked = max(distance(slab.to, end) / (kLongestSlab * spacing), 4.0);
-    asked = max(asked, float(shellLayers) * min(1.0, highest / ray.top));
+    float asked = stepsFor(ray, coat, highest, distance(slab.to, end) / spacing);
     uint steps = uint(clamp(ceil(asked), 1.0, float(kMostSteps)));
     uint last = skin.there ? steps : 2u * steps;  // or out of the fur again
     if (!(highest > 0.0)) last = 0u;
@@ -148,16 +146,23 @@ Hit march(Ray ray, Hair hair, ShellCoat coat, uint coatNumber, vec3 n, vec3 ahea
         float heightBefore = height;
         slab.from = slab.to;
         slab.t.x = slab.t.y;
-        slab.t.y = abs(1.0 - float(i) * dt);
+        slab.t.y = abs(1.0 - (float(i) - kInSlab) * dt);
         aside = asideAt(hair, slab.t.y);
         height = heightAt(hair, slab.t.y);
         at = wayTo(ray, min(height, ray.top), i > steps);
-        slab.to = rootAt(ray, hair, stray, n, ahead, at.way, slab.t.y);
+        slab.to = rootAt(ray, place, hair, stray, n, ahead, at.way, slab.t.y);
+#ifdef PLAIN
+        slab.from = slab.to;
+        slab.t.x = slab.t.y;
+        before = at;
+        slab.stretch = 1.0;
+#else
         // A hair that leans across the ray is cut into an ellipse.
         vec3 step = slab.to - slab.from;
         float rise = height - heightBefore;
         float slant = dot(n, cross(aside - asideBefore, step));
         slab.stretch = 1.0 + min(slant * slant / max(rise * rise * dot(step, step), 1e-20), 15.0);
+#endif
         bool crossed = before.there || at.there;
         for (uint k = 0u, axis = axes.first; k < axes.count; ++k) {
             TileHit one = tileHit(slab, axis, coatNumber, coat, level, axes);
@@ -177,35 +182,9 @@ Hit march(Ray ray, Hair hair, ShellCoat coat, uint coatNumber, vec3 n, vec3 ahea
     return hit;
 }
 
-vec3 radianceOf(Hit hit, vec3 n, vec3 eye, vec3 base) {
-    Coat coat = fur.under;
-    if (hit.over) coat = fur.over;
-    Strand s;
-    s.weightless = hit.over ? overA : underA;
-    s.end = hit.over ? overB : underB;
-    s.binormal = safeUnit(cross(s.end, s.weightless), anyTangent(safeUnit(s.weightless, n)));
-    float twist = 3.1415927 * within(coat.normalRandomness, 0.0, 1.0) *
-                  (2.0 * rand01(hit.id + kDrawTwist) - 1.0);
-    s.cosTwist = cos(twist);
-    s.sinTwist = sin(twist);
-    s.normal = n;
-    s.tone = 1.0 + within(coat.colorNoise, 0.0, 1.0) * (2.0 * rand01(hit.id + kDrawTone) - 1.0);
-    s.style = coat.style;
-    s.clump = 0.0;
-    s.curl = 0.0;
-    s.frizz = 0.0;
-    s.droop = kDroopPaper;
-    float depth = depthInCoat(fur, frame.hairsPerArea * density, furLength, frame.overWidth,
-                              frame.underWidth, hit.over ? 0u : 1u, hit.t);
-    if (coat.style == kStyleRibbon || coat.style == kStyleTube)
-        return roundRadiance(s, coat, frame.light, base, hit.t, eye, depth);
-    return fiberRadiance(s, coat, frame.light, base, hit.t, eye, depth);
-}
-
 void main() {
     vec3 n = safeUnit(normal, vec3(0.0, 1.0, 0.0));
-    vec3 outer = place + top * n;
-    vec3 eye = toEye(outer);
+    vec3 eye = safeUnit(toward, n);
     Ray ray;
     ray.top = top;
     ray.cosine = dot(n, eye);
@@ -213,30 +192,35 @@ void main() {
     vec3 across = ray.cosine * n - eye;
     ray.sine = sqrt(dot(across, across));
     vec3 ahead = safeUnit(across, vec3(0.0));
+    vec3 below = place;
+#ifdef SKIN
+    // From the skin back to where the fur begins or the eye is, over a plane.
+    float back = top / max(ray.cosine, 0.15);
+    if (frame.perspective > 0.0) back = min(back, distance(frame.eye, outer));
+    ray.top = back * ray.cosine;
+    ray.bend = 0.0;
+    below -= (back * ray.sine) * ahead;
+#else
     // Beyond these the skin folds over itself within the length of a hair.
     ray.bend = clamp(bend, -0.5 / top, 8.0 / top);
-    ray.far = 1.0 + ray.bend * top;
+#endif
+    ray.far = 1.0 + ray.bend * ray.top;
 
-    float distance = frame.perspective > 0.0 ? max(dot(outer - frame.eye, frame.forward), 1e-6) : 1.0;
-    float pixelsPerMetre = frame.pixelsPerMetre / distance;
-    Hair hairs[2] = Hair[2](hairOf(overA, overB, n), hairOf(underA, underB, n));
+    float pixelsPerMetre = pixelsPerMetreAt(outer);
     Hit hit;
     hit.way = 1e30;
     for (uint c = 0u; c < 2u; ++c) {
         if ((shellCoats >> c & 1u) == 0u) continue;
-        Hair hair = hairs[1];
-        if (c == 0u) hair = hairs[0];
+        Hair hair = hairOf(underA, underB, n);
+        if (c == 0u) hair = hairOf(overA, overB, n);
         ShellCoat coat = shellUnder;
         if (c == 0u) coat = shellOver;
-        hit = march(ray, hair, coat, c, n, ahead, coat.width * pixelsPerMetre, hit);
+        hit = march(ray, below, hair, coat, c, n, ahead, coat.width * pixelsPerMetre, hit);
     }
     if (hit.way > 1e29) discard;
-
-    vec3 skin = bare;
-#ifdef TEXTURED
-    skin *= textureLod(baseColors, vec3(uv, layer), 0.0).rgb;
-#endif
-    color = vec4(radianceOf(hit, n, eye, tint * mix(vec3(1.0), skin, fur.skinColor)), 1.0);
-    vec4 clip = frame.viewProjection * vec4(outer - hit.way * eye, 1.0);
+    color = vec4(radianceOf(hit, n, eye), 1.0);
+#ifndef SKIN
+    vec4 clip = frame.viewProjection * vec4(outer - hit.way * toEye(outer), 1.0);
     gl_FragDepth = max(gl_FragCoord.z, 0.5 + 0.5 * clip.z / clip.w);
+#endif
 }

@@ -20,40 +20,72 @@ float curvatureAlong(Curvature c, vec3 t) {
            2.0 * (c.first.y * t.x * t.y + c.first.z * t.x * t.z + c.second.x * t.y * t.z);
 }
 
-out vec3 place;     // of the skin, world
+// The skin as it was at rest, where the tile of roots lies on it.
+struct RestVertex {
+    vec3 position;  // m
+    uint pad0;
+    vec4 turn;      // unit quaternion: from the skin as it stands to the skin at rest
+};
+layout(std430, binding = 10) readonly buffer RestVertices { RestVertex restVertices[]; };
+#ifdef LAYER
+layout(location = 2) uniform float layerAt;  // t of the hair that is drawn
+layout(location = 3) uniform uint layerCoat;
+#endif
+
+out vec3 outer;     // world, where the fur begins
+out vec3 place;     // of the skin below; this and all that follows as at rest
 out vec3 normal;
+out vec3 toward;    // to the eye
+out vec3 toKey;
 out vec3 overA;     // as in ShellVertex
 out vec3 overB;
 out vec3 underA;
 out vec3 underB;
 out float top;
 out float bend;     // 1/m, curvature of the skin in the direction of the view
+out float skyward;  // how far the skin looks up
 out float density;
 out float furLength;
 out vec3 tint;
 out vec3 bare;      // color of the skin without its texture
 out vec2 uv;
 
+vec3 turned(vec3 v, vec4 q) {
+    vec3 c = 2.0 * cross(q.xyz, v);
+    return v + q.w * c + cross(q.xyz, c);
+}
+
 void main() {
     SkinVertex v = skinVertices[skinVertex];
     FurVertex painted = furVertices[skinVertex];
     ShellVertex shell = shellVertices[skinVertex];
-    place = v.position;
-    normal = v.normal;
-    overA = shell.overA;
-    overB = shell.overB;
-    underA = shell.underA;
-    underB = shell.underB;
-    top = shell.top;
-    density = painted.density > 0.0 ? min(painted.density, 1.0) : 0.0;
-    furLength = painted.furLength;
-    uv = cornerUv;
-    tint = painted.tint;
-    bare = materials[material].color * cornerColor.rgb;
-
-    vec3 outer = v.position + top * v.normal;
+    RestVertex rest = restVertices[skinVertex];
+#if defined(LAYER)
+    vec3 a = layerCoat == 0u ? shell.overA : shell.underA;
+    vec3 b = layerCoat == 0u ? shell.overB : shell.underB;
+    outer = v.position + layerAt * ((1.0 - layerAt) * a + layerAt * b);
+#elif defined(SKIN)
+    outer = v.position;
+#else
+    outer = v.position + shell.top * v.normal;
+#endif
     vec3 eye = toEye(outer);
     vec3 along = eye - dot(eye, v.normal) * v.normal;
     bend = curvatureAlong(curvatures[skinVertex], along) / max(dot(along, along), 1e-12);
+    skyward = v.normal.y;
+    top = shell.top;
+    density = painted.density > 0.0 ? min(painted.density, 1.0) : 0.0;
+    furLength = painted.furLength;
+    place = rest.position;
+    normal = turned(v.normal, rest.turn);
+    toward = turned(eye, rest.turn);
+    toKey = turned(frame.light.toKey, rest.turn);
+    overA = turned(shell.overA, rest.turn);
+    overB = turned(shell.overB, rest.turn);
+    underA = turned(shell.underA, rest.turn);
+    underB = turned(shell.underB, rest.turn);
+    uv = cornerUv;
+    tint = painted.tint;
+    bare = materials[material].color * cornerColor.rgb;
     gl_Position = frame.viewProjection * vec4(outer, 1.0);
 }

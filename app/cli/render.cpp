@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "app/cli/cli.h"
 #include "app/cli/input.h"
@@ -16,7 +17,12 @@ namespace pelage {
 namespace {
 
 constexpr int kMaxSide = 8192;  // pixels
-constexpr const char* kShells = "shells";
+constexpr uint kMostLayers = 256;
+
+// Ways to draw fur in layers, by their names.
+constexpr std::pair<const char*, Shells> kShells[] = {{"shells", Shells::swept},
+                                                      {"shells-plain", Shells::plain},
+                                                      {"shells-instanced", Shells::instanced}};
 
 struct Options {
     InputOptions input;
@@ -48,6 +54,21 @@ std::optional<ivec2> parseSize(const std::string& text) {
 std::string checkSize(const std::string& text) {
     if (parseSize(text)) return "";
     return "\"" + text + "\" is not WIDTHxHEIGHT, each 1 to " + std::to_string(kMaxSide);
+}
+
+// "auto" is 0; nothing where it is not a number of [0, kMostLayers].
+std::optional<uint> parseLayers(const std::string& text) {
+    if (text == "auto") return 0u;
+    uint layers = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), layers);
+    if (error != std::errc() || end != text.data() + text.size() || layers > kMostLayers)
+        return std::nullopt;
+    return layers;
+}
+
+std::string checkLayers(const std::string& text) {
+    if (parseLayers(text)) return "";
+    return "\"" + text + "\" is neither auto nor a number of 0 to " + std::to_string(kMostLayers);
 }
 
 std::string checkDetail(const std::string& text) {
@@ -82,8 +103,9 @@ View viewOf(const Document& document, const Options& options) {
     view.camera =
         framedCamera(document, glm::radians(options.yaw), glm::radians(options.pitch), view.size);
     view.detail = options.detail;
-    if (options.technique == kShells) view.shells = Shells::swept;
-    if (options.layers != "auto") view.layers = static_cast<uint>(std::stoul(options.layers));
+    for (const auto& [name, shells] : kShells)
+        if (options.technique == name) view.shells = shells;
+    view.layers = *parseLayers(options.layers);
     if (options.distance) view.camera.distance = *options.distance;
     return view;
 }
@@ -99,7 +121,9 @@ std::shared_ptr<const Skin> standing(const Document& document, const Options& op
 }
 
 // The hair styles by name: "ribbon", or "ribbon/polyline" for overcoat and undercoat.
-std::string techniqueOf(const Fur& fur) {
+std::string techniqueOf(const Options& options, const Fur& fur) {
+    for (const auto& [name, shells] : kShells)
+        if (options.technique == name) return name;
     const Parameter& row = styleRow();
     const std::string over = row.choices[fur.over.style], under = row.choices[fur.under.style];
     return over == under ? over : over + "/" + under;
@@ -111,7 +135,7 @@ OrderedJson jsonOf(const Options& options, const Document& document, const View&
     return {{"output", options.output},
             {"width", view.size.x},
             {"height", view.size.y},
-            {"technique", techniqueOf(document.fur)},
+            {"technique", techniqueOf(options, document.fur)},
             {"hairsTotal", stats.hairsTotal},
             {"detail", textOf(view.detail)},
             {"hairsTried", stats.hairsTried},
@@ -127,6 +151,8 @@ OrderedJson jsonOf(const Options& options, const Document& document, const View&
             {"deviation", stats.deviation},
             {"flip", stats.flip},
             {"samples", stats.samples},
+            {"layers", stats.layers},
+            {"textureBytes", stats.textureBytes},
             {"msShellPass", 1e3 * stats.shellSeconds},
             {"msFrame", median(times)},
             {"msFrames", times},
@@ -187,15 +213,16 @@ void addRender(CLI::App& app, bool& json) {
         ->check(CLI::Validator(checkSize, ""));
     const auto styles = styleRow().choices;
     std::vector<std::string> techniques(styles.begin(), styles.end());
-    techniques.emplace_back(kShells);
+    for (const auto& [name, shells] : kShells) techniques.emplace_back(name);
     techniques.emplace_back(kReferenceTechnique);
     verb->add_option("--technique", options->technique,
                      "How hair is drawn, in place of the coats' own styles")
         ->type_name("NAME")
         ->check(CLI::IsMember(techniques));
-    verb->add_option("--layers", options->layers, "Of shells: their number, or auto")
+    verb->add_option("--layers", options->layers, "Of shells: how many at least, 0 to 256, or auto")
         ->type_name("N")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->check(CLI::Validator(checkLayers, ""));
     verb->add_option("--clip", options->clip,
                      "Stand as in this animation, by name or number; see pelage info")
         ->type_name("NAME");

@@ -46,6 +46,7 @@ enum Storage : unsigned {
     runs = 9,
     curvatures = 9,  // never with runs
     counters = 10,
+    restVertices = 10,  // never with counters
     lines = 11,
     seen = 11,  // never with lines
     groups = 12,

@@ -360,7 +360,7 @@ void Renderer::Parts::drawShells(const Document& document, const View& view) {
     glFinish();
     const auto shellStart = Clock::now();
     if (!shellPass) shellPass.emplace();
-    shellPass->draw(mirror, document.fur, view, frame, frameBlock);
+    shellPass->draw(mirror, document, view, frame, frameBlock);
     glFinish();
     stats.shellSeconds = secondsSince(shellStart);
     stats.layers = shellPass->layers();

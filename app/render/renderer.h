@@ -15,8 +15,8 @@ namespace pelage {
 
 enum class Overlay { none, length, density, direction, mask, segment };
 
-// Fur drawn in layers in place of single hairs: in one pass, whole between two layers or only at the
-// layers; or the skin drawn once for each.
+// Fur drawn in layers in place of single hairs: in one pass, whole between two layers or only at
+// the layers; or the skin drawn once for each.
 enum class Shells { none, swept, plain, instanced };
 
 struct OverlayLine {        // drawn over everything, with the depth of the skin tested
@@ -62,15 +62,15 @@ struct FrameStats {
     std::size_t clusters = 0, clustersDrawn = 0, clustersOutside = 0, clustersHidden = 0,
                 clustersSmall = 0, clustersBald = 0;
     std::size_t trianglesDrawn = 0;  // of the skin
-    float deviation = 0.0f;     // pixels by which it is coarser to keep to its FLIP or its time
-    float flip = 0.0f;          // where one is asked for: the error (fidelity.h), as reckoned
-    bool flipMeasured = false;  // or as measured, once the picture is complete
-    double seconds = 0.0;       // to the end of the GPU's work
-    double shellSeconds = 0.0;  // of those, for the shells
-    uint layers = 0;            // of shells
+    float deviation = 0.0f;        // pixels by which it is coarser to keep to its FLIP or its time
+    float flip = 0.0f;             // where one is asked for: the error (fidelity.h), as reckoned
+    bool flipMeasured = false;     // or as measured, once the picture is complete
+    double seconds = 0.0;          // to the end of the GPU's work
+    double shellSeconds = 0.0;     // of those, for the shells
+    uint layers = 0;               // of shells
     std::size_t textureBytes = 0;  // of shells
-    int samples = 0;            // averaged in the picture so far
-    bool finished = false;      // nothing will change unless document or view do
+    int samples = 0;               // averaged in the picture so far
+    bool finished = false;         // nothing will change unless document or view do
 };
 
 // Needs a current OpenGL 4.5 context, the same for its whole life. Throws std::runtime_error that

@@ -1,14 +1,19 @@
-// shell_pass.cpp -- fur in shells: layers of the same hair that strands are, marched behind each pixel.
+// shell_pass.cpp -- fur in shells: layers of the same hair that strands are, marched behind each
+// pixel.
 #include "app/render/shell_pass.h"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "app/render/surface.h"
 #include "core/curvature.h"
 #include "core/elastica.h"
 #include "core/shell_map.h"
+#include "core/strand.h"
 
 namespace pelage {
 namespace {
@@ -16,6 +21,8 @@ namespace {
 // As in shaders/shell_hair.glsl.
 constexpr uint kTileHairs = 1024, kTileSide = 256, kTileLevels = 9;
 constexpr float kTileExcess = 1.27f;
+
+constexpr uint kFirstLayers = 32;  // where the skin is drawn once for each and none are asked for
 
 uint packed(const RootMap& map, uint number) {
     const auto place = [](float x) { return std::min(static_cast<uint>(x * 2048.0f), 2047u); };
@@ -27,13 +34,30 @@ float periodOf(float perArea) {
     return std::sqrt(static_cast<float>(kTileHairs) / std::max(kTileExcess * perArea, 1e-12f));
 }
 
+// Tangent, normal and binormal of a vertex, the tangent towards the first of its ring.
+mat3 axesAt(const Skin& skin, uint v) {
+    const vec3 n = safeUnit(skin.vertices[v].normal, vec3(0.0f, 1.0f, 0.0f));
+    vec3 along = anyTangent(n);
+    if (!skin.ring(v).empty())
+        along = skin.vertices[skin.ring(v)[0]].position - skin.vertices[v].position;
+    const vec3 t = safeUnit(along - glm::dot(along, n) * n, anyTangent(n));
+    return {t, n, glm::cross(t, n)};
+}
+
+RestVertex restOf(const Skin& shown, const Skin& atRest, uint v) {
+    RestVertex rest;
+    rest.position = atRest.vertices[v].position;
+    if (&shown == &atRest) return rest;
+    const glm::quat turn = glm::quat_cast(axesAt(atRest, v) * glm::transpose(axesAt(shown, v)));
+    rest.turn = vec4(turn.x, turn.y, turn.z, turn.w);
+    return rest;
+}
+
 }  // namespace
 
 ShellPass::ShellPass()
     : curves_(Program::compute("shell_curves.comp")),
       rodCurves_(Program::compute("shell_curves.comp", {"RODS"})),
-      swept_(Program::draw("shell.vert", "shell.frag")),
-      sweptTextured_(Program::draw("shell.vert", "shell.frag", {"TEXTURED"})),
       vertexArray_(cornerArray()) {
     rodTable_.upload(std::span(rodTable(), kRodNodes * kRodNodes * kRodTexels));
     makeTile();
@@ -51,12 +75,15 @@ void ShellPass::makeTile() {
     tile_.upload(std::span<const uvec2>(texels));
 }
 
-void ShellPass::updateSkin(const Mirror& mirror) {
+void ShellPass::updateSkin(const Mirror& mirror, const Skin& atRest) {
     if (mirror.shown() == skin_) return;
     skin_ = mirror.shown();
     const std::vector<Curvature> curvatures = curvaturesOf(*skin_);
     curvatures_.upload(std::span<const Curvature>(curvatures));
     vertices_.resize(curvatures.size() * sizeof(ShellVertex));
+    std::vector<RestVertex> rest(curvatures.size());
+    for (uint v = 0; v < rest.size(); ++v) rest[v] = restOf(*skin_, atRest, v);
+    rest_.upload(std::span<const RestVertex>(rest));
 }
 
 void ShellPass::findCurves(const Mirror& mirror, const Fur& fur) {
@@ -64,40 +91,92 @@ void ShellPass::findCurves(const Mirror& mirror, const Fur& fur) {
     (rods ? rodCurves_ : curves_).use();
     rodTable_.bindStorage(binding::rodTable);
     vertices_.bindStorage(binding::shellVertices);
-    curvatures_.bindStorage(binding::curvatures);
     const auto groups = static_cast<uint>((mirror.skin().vertices.size() + 63) / 64);
     if (groups > 0) glDispatchCompute(std::min(groups, 65535u), (groups + 65534u) / 65535u, 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void ShellPass::draw(const Mirror& mirror, const Fur& fur, const View& view, const FrameData& frame,
-                     const gl::Buffer& frameBlock) {
+const ShellPass::Pair& ShellPass::programsOf(const char* fragment,
+                                             const std::vector<std::string>& defines) {
+    std::string key = fragment;
+    for (const std::string& define : defines) key += " " + define;
+    const auto known = programs_.find(key);
+    if (known != programs_.end()) return known->second;
+    std::vector<std::string> textured = defines;
+    textured.emplace_back("TEXTURED");
+    Pair pair{Program::draw("shell.vert", fragment, defines),
+              Program::draw("shell.vert", fragment, textured)};
+    return programs_.emplace(key, std::move(pair)).first->second;
+}
+
+// Not culled: where the skin is hollow the surface folds over itself.
+void ShellPass::drawWith(const Mirror& mirror, const Pair& programs) const {
+    drawSurface(vertexArray_, mirror, mirror.surface(), allOf(mirror.surface().patches), false,
+                [&](const Mirror::Part& part) -> const Program& {
+                    return part.layer >= 0.0f ? programs.textured : programs.plain;
+                });
+}
+
+// From the surface over the fur, then from the skin where that did not see its fur: where the eye
+// is in the fur, and in hollows, whose outer surface lies in other parts of the body.
+void ShellPass::drawMarched(const Mirror& mirror, bool plain) {
+    std::vector<std::string> defines;
+    if (plain) defines.emplace_back("PLAIN");
+    drawWith(mirror, programsOf("shell.frag", defines));
+    defines.emplace_back("SKIN");
+    glDepthFunc(GL_LEQUAL);
+    drawWith(mirror, programsOf("shell.frag", defines));
+    glDepthFunc(GL_LESS);
+}
+
+void ShellPass::drawLayers(const Mirror& mirror, uint coats) {
+    const Pair& programs = programsOf("shell_layer.frag", {"LAYER"});
+    for (uint coat = 0; coat < 2; ++coat) {
+        if (!(coats >> coat & 1u)) continue;
+        for (uint k = 0; k < layers_; ++k) {
+            for (const Program* program : {&programs.plain, &programs.textured}) {
+                const float t = (static_cast<float>(k) + 0.5f) / static_cast<float>(layers_);
+                glProgramUniform1f(program->name(), 2, t);
+                glProgramUniform1ui(program->name(), 3, coat);
+            }
+            drawWith(mirror, programs);
+        }
+    }
+}
+
+void ShellPass::draw(const Mirror& mirror, const Document& document, const View& view,
+                     const FrameData& frame, const gl::Buffer& frameBlock) {
+    const Fur& fur = document.fur;
     ShellData data;
     data.over = {periodOf(fur.share * frame.hairsPerArea), frame.overWidth, fur.over.taper,
                  fur.over.endRandomness * fur.over.relativeLength};
     data.under = {periodOf((1.0f - fur.share) * frame.hairsPerArea), frame.underWidth,
                   fur.under.taper, fur.under.endRandomness * fur.under.relativeLength};
     data.coats = frame.coats & ((fur.share > 0.0f ? 1u : 0u) | (fur.share < 1.0f ? 2u : 0u));
-    if (!(frame.hairsPerArea > 0.0f) || data.coats == 0) return;
     data.layers = view.layers;
     data.leastWidth = view.detail.rule == Detail::Rule::all ? 0.0f : 1.0f;
+    layers_ = view.layers;
+    if (view.shells == Shells::instanced && layers_ == 0) layers_ = kFirstLayers;
+    if (!(frame.hairsPerArea > 0.0f) || data.coats == 0) return;
     block_.upload(std::span<const ShellData>(&data, 1));
 
-    updateSkin(mirror);
+    updateSkin(mirror, *document.skin);
     mirror.bind();
     frameBlock.bindUniform(binding::frame);
     block_.bindUniform(binding::shells);
-    findCurves(mirror, fur);
-
+    curvatures_.bindStorage(binding::curvatures);
+    rest_.bindStorage(binding::restVertices);
     tile_.bindStorage(binding::shellTile);
-    drawSurface(vertexArray_, mirror, mirror.surface(), allOf(mirror.surface().patches),
-                [&](const Mirror::Part& part) -> const Program& {
-                    return part.layer >= 0.0f ? sweptTextured_ : swept_;
-                });
+    findCurves(mirror, fur);
+    if (view.shells == Shells::instanced)
+        drawLayers(mirror, data.coats);
+    else
+        drawMarched(mirror, view.shells == Shells::plain);
 }
 
 std::size_t ShellPass::bytes() const {
-    return textureBytes() + vertices_.bytes() + curvatures_.bytes() + rodTable_.bytes();
+    return textureBytes() + vertices_.bytes() + rest_.bytes() + curvatures_.bytes() +
+           rodTable_.bytes();
 }
 
 }  // namespace pelage

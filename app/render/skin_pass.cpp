@@ -13,7 +13,7 @@ SkinPass::SkinPass()
 
 void SkinPass::draw(const Mirror& mirror, const Mirror::Surface& surface,
                     std::span<const Range> ranges, bool shows) const {
-    drawSurface(vertexArray_, mirror, surface, ranges,
+    drawSurface(vertexArray_, mirror, surface, ranges, true,
                 [&](const Mirror::Part& part) -> const Program& {
                     return shows ? overlay_ : part.layer >= 0.0f ? textured_ : plain_;
                 });

@@ -21,13 +21,13 @@ gl::VertexArray cornerArray() {
 }
 
 void drawSurface(const gl::VertexArray& corners, const Mirror& mirror,
-                 const Mirror::Surface& surface, std::span<const Range> ranges,
+                 const Mirror::Surface& surface, std::span<const Range> ranges, bool culls,
                  const std::function<const Program&(const Mirror::Part&)>& programOf) {
     glBindVertexArray(corners.name());
     glVertexArrayElementBuffer(corners.name(), surface.indices.name());
     glVertexArrayVertexBuffer(corners.name(), 0, mirror.corners().name(), 0, sizeof(CornerData));
     glEnable(GL_DEPTH_TEST);
-    if (mirror.skin().outward) {
+    if (culls && mirror.skin().outward) {
         glEnable(GL_CULL_FACE);
     } else {
         glDisable(GL_CULL_FACE);

@@ -14,9 +14,9 @@ gl::VertexArray cornerArray();
 
 // These triangles of a surface into the bound framebuffer, depth-tested, each part by the program
 // that `programOf` it gives: with its material at location 0 and, where the part has a base-color
-// texture, the texture's layer at location 1.
+// texture, the texture's layer at location 1. `culls` what faces away, of skins that are closed.
 void drawSurface(const gl::VertexArray& corners, const Mirror& mirror,
-                 const Mirror::Surface& surface, std::span<const Range> ranges,
+                 const Mirror::Surface& surface, std::span<const Range> ranges, bool culls,
                  const std::function<const Program&(const Mirror::Part&)>& programOf);
 
 }  // namespace pelage

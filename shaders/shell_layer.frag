@@ -1,0 +1,36 @@
+// shell_layer.frag -- one layer of a coat: the skin moved along its hair, opaque where a hair is cut.
+#include "frame.glsl"
+#include "strand.glsl"
+#include "fiber.glsl"
+#include "shell_data.glsl"
+#include "shell_hair.glsl"
+#include "shell_shade.glsl"
+
+layout(location = 2) uniform float layerAt;  // t of the hair that is drawn
+layout(location = 3) uniform uint layerCoat;
+out vec4 color;
+
+void main() {
+    vec3 n = safeUnit(normal, vec3(0.0, 1.0, 0.0));
+    ShellCoat coat = shellUnder;
+    if (layerCoat == 0u) coat = shellOver;
+    Level level = levelFor(coat.width * pixelsPerMetreAt(outer));
+    Axes axes = axesOf(n, density);
+    Slab slab = Slab(place, place, vec2(layerAt), 1.0);
+    Hit hit;
+    hit.way = 1e30;
+    hit.t = layerAt;
+    hit.over = layerCoat == 0u;
+    for (uint k = 0u, axis = axes.first; k < axes.count; ++k) {
+        TileHit one = tileHit(slab, axis, layerCoat, coat, level, axes);
+        if (one.along <= 1.0) {
+            hit.way = 0.0;
+            hit.id = one.id;
+            hit.across = one.across;
+        }
+        axis += axes.step;
+        axis -= axis > 2u ? 3u : 0u;
+    }
+    if (hit.way > 1e29) discard;
+    color = vec4(radianceOf(hit, n, safeUnit(toward, n)), 1.0);
+}
