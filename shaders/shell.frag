@@ -30,7 +30,7 @@ const float kInSlab = 0.5;  // where a layer lies in its slab
 const float kInSlab = 0.0;
 #endif
 // Of the way from root to root that a slab is long at most: two roots of a texel are enough.
-const float kLongestSlab = 1.75;
+const float kLongestSlab = 1.0;
 
 struct Ray {         // through the fur over a ball
     float top;       // m, height where it begins

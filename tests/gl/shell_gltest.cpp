@@ -1,0 +1,192 @@
+// shell_gltest.cpp -- shells show the hairs that stand on the skin: against explicit hairs, against
+// strands, and in odd cases.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <glm/gtc/constants.hpp>
+#include <vector>
+
+#include "core/flip.h"
+#include "core/shell_map.h"
+#include "tests/gl/furry_scenes.h"
+
+namespace pelage {
+namespace {
+
+constexpr int kSide = 128;            // pixels
+constexpr float kPixel = 1e-3f;       // m
+constexpr float kWidth = 2 * kPixel;  // of a hair
+constexpr float kHeight = 64 * kPixel;
+
+// A flat patch under straight black hair of one coat, all of which leans alike along x.
+Document patch(uint hairs, float taper, float lean) {
+    Document document = test::evenDocument(test::sheet(2));
+    const vec3 along = glm::normalize(vec3(lean, 1.0f, 0.0f));
+    document.groom = test::evenGroom(*document.skin, {along, kHeight / along.y, vec3(1.0f), 1.0f});
+    document.fur.share = 1.0f;
+    document.fur.gravity = 0.0f;
+    document.fur.hairs = hairs;
+    Coat& coat = document.fur.over;
+    coat.ambient = coat.diffuse = coat.specular = vec3(0.0f);
+    coat.stiffness = coat.directionWeight = coat.relativeLength = 1.0f;
+    coat.endRandomness = 0.0f;
+    coat.taper = taper;
+    coat.width = kWidth;
+    return document;
+}
+
+// The middle of the patch, so many degrees from straight down, without perspective.
+View slanted(float degrees, uint layers, Shells shells = Shells::swept) {
+    View view;
+    view.size = ivec2(kSide);
+    view.camera.orthographic = true;
+    view.camera.pitch = glm::radians(90.0f - degrees);
+    view.camera.distance = 0.5f * kSide * kPixel / std::tan(0.5f * view.camera.fieldOfView);
+    view.detail.rule = Detail::Rule::all;
+    view.background = vec3(1.0f);
+    view.showSkin = false;
+    view.samples = 16;
+    view.shells = shells;
+    view.layers = layers;
+    return view;
+}
+
+// Share of each pixel that black hair covers, as the shells have it.
+std::vector<float> covered(Renderer& renderer, const Document& document, const View& view) {
+    std::vector<float> shares;
+    const std::vector<float> light = test::linear(test::picture(renderer, document, view));
+    for (std::size_t i = 0; i < light.size(); i += 3) shares.push_back(1.0f - light[i]);
+    return shares;
+}
+
+double mean(const std::vector<float>& values) {
+    double sum = 0.0;
+    for (const float value : values) sum += static_cast<double>(value);
+    return sum / static_cast<double>(values.size());
+}
+
+// The roots of the tile around the middle of the patch, from what shaders/shell_hair.glsl says of
+// the axis y, m.
+std::vector<vec2> rootsAround(float hairs) {
+    const float period = std::sqrt(1024.0f / (1.27f * hairs));
+    const RootMap map = rootMap({.side = 1, .hairs = 1024});
+    constexpr uint kStream = 4;
+    std::vector<vec2> roots;
+    const int reach = static_cast<int>(0.5f / period) + 2;
+    for (int i = -reach; i <= reach; ++i)
+        for (int j = -reach; j <= reach; ++j)
+            for (uint k = 0; k < 1024; ++k) {
+                const glm::uvec2 at(map.roots[k] * 2048.0f);
+                const uint bits = at.x | at.y << 11 | k << 22;
+                const uint id =
+                    pcg(bits ^ pcg(static_cast<uint>(i) * 73856093u ^
+                                   static_cast<uint>(j) * 19349663u ^ kStream * 83492791u));
+                if (!(rand01(id) < 1.0f / 1.27f)) continue;
+                const vec2 place = (vec2(at) + 0.5f) / 2048.0f + vec2(i, j) -
+                                   static_cast<float>(kStream) * vec2(0.7548777f, 0.5698403f);
+                const vec2 zx = period * place;
+                if (std::abs(zx.x) < 0.5f && std::abs(zx.y) < 0.5f) roots.emplace_back(zx.y, zx.x);
+            }
+    return roots;
+}
+
+// Share of each pixel that those hairs cover: cones are seen as trapezoids, and where the skin cuts
+// them as ellipses.
+std::vector<float> explicitly(const std::vector<vec2>& roots, float taper, float lean,
+                              const View& view) {
+    std::vector<float> shares(kSide * kSide);
+    const vec3 right = view.camera.right(), up = view.camera.up();
+    const vec2 foreshortened(std::sqrt(1.0f + lean * lean), std::sin(view.camera.pitch));
+    const auto pixelOf = [&](vec3 p) {
+        return vec2(glm::dot(p, right), glm::dot(p, up)) / kPixel + 0.5f * kSide;
+    };
+    for (int sample = 0; sample < view.samples; ++sample) {
+        std::vector<bool> hit(kSide * kSide);
+        const auto offset = [&](double step) {
+            const double x = 0.5 + sample * step;
+            return static_cast<float>(x - std::floor(x)) - 0.5f;
+        };
+        const vec2 shift(offset(0.7548776662466927), offset(0.5698402909980532));
+        for (const vec2 root : roots) {
+            const vec3 foot(root.x, 0.0f, root.y);
+            const vec2 a = pixelOf(foot) + shift;
+            const vec2 way = pixelOf(foot + kHeight * vec3(lean, 1.0f, 0.0f)) + shift - a;
+            const vec2 low = glm::min(a, a + way) - 2.0f, high = glm::max(a, a + way) + 2.0f;
+            for (int y = std::max(0, static_cast<int>(low.y));
+                 y < std::min(kSide, static_cast<int>(high.y) + 1); ++y)
+                for (int x = std::max(0, static_cast<int>(low.x));
+                     x < std::min(kSide, static_cast<int>(high.x) + 1); ++x) {
+                    const vec2 to = vec2(x, y) + 0.5f - a;
+                    const float t = glm::dot(to, way) / glm::dot(way, way);
+                    const float radius = 0.5f * kWidth / kPixel;
+                    const bool beside = t >= 0.0f && t <= 1.0f &&
+                                        glm::distance(to, t * way) < radius * (1.0f - taper * t);
+                    if (beside || glm::length(to / foreshortened) < radius)
+                        hit[static_cast<std::size_t>((kSide - 1 - y) * kSide + x)] = true;
+                }
+        }
+        for (std::size_t i = 0; i < hit.size(); ++i)
+            shares[i] += hit[i] ? 1.0f / static_cast<float>(view.samples) : 0.0f;
+    }
+    return shares;
+}
+
+double meanFlip(const std::vector<float>& a, const std::vector<float>& b) {
+    const auto image = [](const std::vector<float>& shares) {
+        Image result{ivec2(kSide), {}};
+        for (const float share : shares) result.pixels.push_back(vec4(vec3(1.0f - share), 1.0f));
+        return result;
+    };
+    return mean(flip(image(a), image(b)).values);
+}
+
+TEST(Shells, SixteenSweptLayersShowTheHairsThemselves) {
+    constexpr uint kHairs = 16000;  // a hair every 8 pixels
+    Renderer renderer;
+    for (const auto& [degrees, lean] : {std::pair(45.0f, 0.0f), {70.0f, 0.0f}, {70.0f, 0.4f}}) {
+        const View view = slanted(degrees, 16);
+        const std::vector<float> shells = covered(renderer, patch(kHairs, 1.0f, lean), view);
+        const std::vector<float> hairs = explicitly(rootsAround(kHairs), 1.0f, lean, view);
+        const double error = test::distanceOf(shells, hairs);
+        const double flipped = meanFlip(shells, hairs), bias = mean(shells) - mean(hairs);
+        std::printf("%.0f degrees, lean %.1f: RMSE %.4f, FLIP %.4f, bias %+.4f of %.3f\n",
+                    static_cast<double>(degrees), static_cast<double>(lean), error, flipped, bias,
+                    mean(hairs));
+        EXPECT_GT(mean(hairs), 0.3);
+        EXPECT_LE(error, 0.02);
+        EXPECT_LE(flipped, 0.03);
+        EXPECT_LE(std::abs(bias), 0.003);
+    }
+}
+
+// What so many discs keep of a hair of even width and 32 widths long, seen at 45 degrees, which
+// they cut q of their diameter apart: R(q) of what lies between them, and one disc.
+double keptByDiscs(double q, double discs) {
+    const double kept =
+        q > 1.0 ? glm::pi<double>() / (4.0 * q) : 0.5 * (std::sqrt(1.0 - q * q) + std::asin(q) / q);
+    const double disc = glm::pi<double>() / 4.0;
+    return ((discs - 1.0) * q * kept + disc) / (32.0 + disc);
+}
+
+TEST(Shells, PlainLayersKeepWhatTheUnionOfDiscsDoes) {
+    constexpr uint kHairs = 100;  // so few that they do not hide each other
+    const Document document = patch(kHairs, 0.0f, 0.0f);
+    Renderer renderer;
+    View view = slanted(45.0f, 16);
+    view.camera.distance *= 2.0f;  // hairs are a pixel wide
+    view.samples = 48;
+    const double whole = mean(covered(renderer, document, view));
+    view.shells = Shells::plain;
+    for (const uint layers : {16u, 32u, 64u, 128u}) {
+        view.layers = layers;
+        const double q = 32.0 / layers;  // 64 pixels high at 45 degrees, 2 wide
+        const double kept = mean(covered(renderer, document, view)) / whole;
+        std::printf("q = %.2f: plain layers keep %.4f, discs %.4f\n", q, kept,
+                    keptByDiscs(q, layers));
+        EXPECT_NEAR(kept, keptByDiscs(q, layers), 0.01) << q;
+    }
+}
+
+}  // namespace
+}  // namespace pelage
