@@ -41,6 +41,8 @@ out vec3 overA;     // as in ShellVertex
 out vec3 overB;
 out vec3 underA;
 out vec3 underB;
+out vec3 overAcross;
+out vec3 underAcross;
 out float top;
 out float bend;     // 1/m, curvature of the skin in the direction of the view
 out float skyward;  // how far the skin looks up
@@ -84,6 +86,8 @@ void main() {
     overB = turned(shell.overB, rest.turn);
     underA = turned(shell.underA, rest.turn);
     underB = turned(shell.underB, rest.turn);
+    overAcross = turned(shell.overAcross, rest.turn);
+    underAcross = turned(shell.underAcross, rest.turn);
     uv = cornerUv;
     tint = painted.tint;
     bare = materials[material].color * cornerColor.rgb;

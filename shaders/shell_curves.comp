@@ -12,16 +12,17 @@ layout(std430, binding = 8) writeonly buffer ShellVertices { ShellVertex shellVe
 
 struct Curve {
     vec3 a, b;
+    vec3 across;
 };
 
 Curve meanCurve(Coat coat, uint bit, SkinVertex skin, vec3 n, FurVertex painted) {
-    if ((shellCoats & bit) == 0u) return Curve(vec3(0.0), vec3(0.0));
+    if ((shellCoats & bit) == 0u) return Curve(vec3(0.0), vec3(0.0), anyTangent(n));
     coat.endRandomness = 0.0;  // how far single hairs stray from it is up to who draws them
     float furLength = sanitizedLength(sanitizedLength(painted.furLength) * coat.relativeLength);
     Strand s = bendStrand(vec3(0.0), n, painted.direction, furLength, coat, 0u,
                           pullAt(fur, skin.position, frame.seconds));
     vec3 tip = spinePoint(s, 1.0);
-    return Curve(4.0 * spinePoint(s, 0.5) - tip, tip);
+    return Curve(4.0 * spinePoint(s, 0.5) - tip, tip, s.binormal);
 }
 
 // How high it gets over the skin. Hair that hangs is highest before its tip.
@@ -38,5 +39,5 @@ void main() {
     Curve over = meanCurve(fur.over, 1u, skinVertices[v], n, furVertices[v]);
     Curve under = meanCurve(fur.under, 2u, skinVertices[v], n, furVertices[v]);
     shellVertices[v] = ShellVertex(over.a, max(heightOf(over, n), heightOf(under, n)), over.b, 0u,
-                                   under.a, 0u, under.b, 0u);
+                                   under.a, 0u, under.b, 0u, over.across, 0u, under.across, 0u);
 }

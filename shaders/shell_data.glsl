@@ -10,6 +10,10 @@ struct ShellVertex {
     uint pad1;
     vec3 underB;
     uint pad2;
+    vec3 overAcross;  // unit, across the plane in which the hair bends
+    uint pad3;
+    vec3 underAcross;
+    uint pad4;
 };
 
 struct ShellCoat {    // of one coat
@@ -24,6 +28,6 @@ layout(std140, binding = 2) uniform ShellBlock {
     ShellCoat shellUnder;
     uint shellLayers;     // that are asked for; 0 = as many as it needs
     float leastWidth;     // pixels; where hairs would be narrower there are fewer and wider ones
-    uint shellLayer;      // of a single layer: its number
     uint shellCoats;      // bit 0: draw the overcoat, bit 1: the undercoat
+    uint shellPad0;
 };

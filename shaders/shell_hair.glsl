@@ -10,7 +10,7 @@ const uint kTileHairs = 1024u;  // in the finest level; each coarser one has the
 const uint kTileSide = 256u;    // texels of the finest level, and half as many after every second
 const uint kTileLevels = 9u;
 // Hairs on the tile for each that is needed on a skin across the axis: the greatest axisShares(n) / |n|.
-const float kTileExcess = 1.27;
+const float kTileExcess = 1.28;
 
 // The two nearest roots of each texel, level after level.
 layout(std430, binding = 12) readonly buffer ShellTile { uvec2 shellTile[]; };

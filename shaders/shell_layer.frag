@@ -11,6 +11,7 @@ layout(location = 3) uniform uint layerCoat;
 out vec4 color;
 
 void main() {
+    if (!(top > 0.0)) discard;
     vec3 n = safeUnit(normal, vec3(0.0, 1.0, 0.0));
     ShellCoat coat = shellUnder;
     if (layerCoat == 0u) coat = shellOver;

@@ -10,6 +10,8 @@ in vec3 overA;
 in vec3 overB;
 in vec3 underA;
 in vec3 underB;
+in vec3 overAcross;
+in vec3 underAcross;
 in float top;
 in float bend;
 in float skyward;
@@ -36,7 +38,7 @@ vec3 radianceOf(Hit hit, vec3 n, vec3 eye) {
     Strand s;
     s.weightless = hit.over ? overA : underA;
     s.end = hit.over ? overB : underB;
-    s.binormal = safeUnit(cross(s.end, s.weightless), anyTangent(safeUnit(s.weightless, n)));
+    s.binormal = safeUnit(hit.over ? overAcross : underAcross, anyTangent(n));
     float twist = 3.1415927 * within(coat.normalRandomness, 0.0, 1.0) *
                   (2.0 * rand01(hit.id + kDrawTwist) - 1.0);
     s.cosTwist = cos(twist);

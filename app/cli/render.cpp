@@ -168,10 +168,13 @@ OrderedJson jsonOf(const Options& options, const Document& document, const View&
 std::string textOf(const OrderedJson& result) {
     char times[64];
     std::snprintf(times, sizeof times, "%.1f ms a frame", result["msFrame"].get<double>());
+    const bool inShells = result["technique"].get<std::string>().starts_with("shells");
     return "wrote " + result["output"].get<std::string>() + ": " + result["width"].dump() + "x" +
-           result["height"].dump() + ", " + result["hairsDrawn"].dump() + " of " +
-           result["hairsTotal"].dump() + " hairs, " + times + " on " +
-           result["device"].get<std::string>() + "\n";
+           result["height"].dump() + ", " +
+           (inShells
+                ? "in shells, "
+                : result["hairsDrawn"].dump() + " of " + result["hairsTotal"].dump() + " hairs, ") +
+           times + " on " + result["device"].get<std::string>() + "\n";
 }
 
 void render(const Options& options, bool json) {

@@ -118,6 +118,7 @@ void requireCapabilities() {
         {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 16, "storage buffers"},
         {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 15, "storage buffers in a compute shader"},
         {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, 6, "storage buffers in a vertex shader"},
+        {GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, 1, "storage buffers in a fragment shader"},
         {GL_MAX_COMPUTE_IMAGE_UNIFORMS, 1, "images in a compute shader"},
     };
     for (const auto& [limit, needed, name] : limits) {
@@ -363,6 +364,7 @@ void Renderer::Parts::drawShells(const Document& document, const View& view) {
     shellPass->draw(mirror, document, view, frame, frameBlock);
     glFinish();
     stats.shellSeconds = secondsSince(shellStart);
+    stats.hairsTotal = mirror.roots().roots.size();
     stats.layers = shellPass->layers();
     stats.textureBytes = shellPass->textureBytes();
     if (samples == 0) begin(postPass, view, boxOf(sightOf(frame), pelt), fine.size);
@@ -482,7 +484,10 @@ std::string Renderer::device() const {
            reinterpret_cast<const char*>(glGetString(GL_VERSION));
 }
 
-std::size_t Renderer::bytes() const { return parts_->mirror.bytes() + parts_->strandPass.bytes(); }
+std::size_t Renderer::bytes() const {
+    return parts_->mirror.bytes() + parts_->strandPass.bytes() +
+           (parts_->shellPass ? parts_->shellPass->bytes() : 0);
+}
 
 std::size_t Renderer::bytesPerHair() const { return sizeof(Root); }
 

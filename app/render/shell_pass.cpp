@@ -20,7 +20,29 @@ namespace {
 
 // As in shaders/shell_hair.glsl.
 constexpr uint kTileHairs = 1024, kTileSide = 256, kTileLevels = 9;
-constexpr float kTileExcess = 1.27f;
+constexpr float kTileExcess = 1.28f;
+
+// The uniform block of shaders/shell_data.glsl, as C++.
+struct ShellCoat {
+    float period = 1.0f, width = 0.0f, taper = 0.0f, stray = 0.0f;
+};
+struct ShellData {
+    ShellCoat over, under;
+    uint layers = 0;
+    float leastWidth = 1.0f;
+    uint coats = 3;
+    uint pad0 = 0;
+};
+static_assert(sizeof(ShellData) == 48);
+
+// As in shaders/shell.vert, and the bytes of a ShellVertex of shaders/shell_data.glsl.
+struct RestVertex {
+    vec3 position{0.0f};
+    uint pad0 = 0;
+    vec4 turn{0.0f, 0.0f, 0.0f, 1.0f};
+};
+static_assert(sizeof(RestVertex) == 32 && sizeof(Curvature) == 32);
+constexpr std::size_t kShellVertexBytes = 96;
 
 constexpr uint kFirstLayers = 32;  // where the skin is drawn once for each and none are asked for
 
@@ -80,7 +102,7 @@ void ShellPass::updateSkin(const Mirror& mirror, const Skin& atRest) {
     skin_ = mirror.shown();
     const std::vector<Curvature> curvatures = curvaturesOf(*skin_);
     curvatures_.upload(std::span<const Curvature>(curvatures));
-    vertices_.resize(curvatures.size() * sizeof(ShellVertex));
+    vertices_.resize(curvatures.size() * kShellVertexBytes);
     std::vector<RestVertex> rest(curvatures.size());
     for (uint v = 0; v < rest.size(); ++v) rest[v] = restOf(*skin_, atRest, v);
     rest_.upload(std::span<const RestVertex>(rest));

@@ -15,33 +15,6 @@
 
 namespace pelage {
 
-// The uniform block and the buffer of shaders/shell_data.glsl, as C++.
-struct ShellVertex {
-    vec3 overA{0.0f};
-    float top = 0.0f;
-    vec3 overB{0.0f};
-    uint pad0 = 0;
-    vec3 underA{0.0f};
-    uint pad1 = 0;
-    vec3 underB{0.0f};
-    uint pad2 = 0;
-};
-struct RestVertex {
-    vec3 position{0.0f};
-    uint pad0 = 0;
-    vec4 turn{0.0f, 0.0f, 0.0f, 1.0f};
-};
-struct ShellCoat {
-    float period = 1.0f, width = 0.0f, taper = 0.0f, stray = 0.0f;
-};
-struct ShellData {
-    ShellCoat over, under;
-    uint layers = 0;
-    float leastWidth = 1.0f;
-    uint layer = 0;
-    uint coats = 3;
-};
-
 class ShellPass {
 public:
     ShellPass();

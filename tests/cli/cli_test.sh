@@ -242,6 +242,11 @@ grep -qE '^wrote r2\.png: 64x64, [0-9]+ of [0-9]+ hairs, ' out.txt || fail "rend
 good render --animal 2000 --hairs 0 --size 32x32 --samples 1 -o bald.png
 json 'j.detail === "flip:0.1" && j.flip > 0 && j.flip <= 0.1 && j.deviation > 0' \
     -- render --animal 2000 --hairs 3000 --size 64x64 --samples 2 --detail flip:0.1 -o f.png --json
+json 'j.technique === "shells" && j.layers === 12' 'j.textureBytes > 0 && j.msShellPass > 0' \
+    -- render --animal 2000 --hairs 3000 --size 64x64 --samples 1 --repeat 1 --technique shells \
+    --layers 12 -o s.png --json
+good render tetra.obj --size 32x32 --technique shells-instanced --layers 3 --samples 1 -o s.png
+grep -q '^wrote s\.png: 32x32, in shells, ' out.txt || fail "render: $(cat out.txt)"
 json 'j.technique === "reference" && j.samples === 4 && j.segments === 7' 'j.hairs > 400' \
     'j.noise > 0 && j.noise < 0.2 && j.rays > 4 * 48 * 32' \
     -- render --animal 2000 --hairs 500 --size 48x32 --technique reference --spp 3 --segments 7 \
@@ -278,6 +283,7 @@ for size in 0x8 8x 8 8x8x8 x8 -1x8 8x9000 '8 x8' ''; do
 done
 bad 2 'render .*--technique' render tetra.obj --technique magic -o never.png
 bad 2 'render .*--samples' render tetra.obj --samples 0 -o never.png
+bad 2 'render .*--layers' render tetra.obj --technique shells --layers 257 -o never.png
 bad 2 'render .*--spp' render tetra.obj --technique reference --spp 0 -o never.png
 bad 2 'render .*--shadows' render tetra.obj --technique reference --shadows none -o never.png
 bad 2 'render .*--pitch' render tetra.obj --pitch nan -o never.png

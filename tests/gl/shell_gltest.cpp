@@ -2,9 +2,11 @@
 // strands, and in odd cases.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <glm/gtc/constants.hpp>
+#include <memory>
 #include <vector>
 
 #include "core/flip.h"
@@ -69,7 +71,7 @@ double mean(const std::vector<float>& values) {
 // The roots of the tile around the middle of the patch, from what shaders/shell_hair.glsl says of
 // the axis y, m.
 std::vector<vec2> rootsAround(float hairs) {
-    const float period = std::sqrt(1024.0f / (1.27f * hairs));
+    const float period = std::sqrt(1024.0f / (1.28f * hairs));
     const RootMap map = rootMap({.side = 1, .hairs = 1024});
     constexpr uint kStream = 4;
     std::vector<vec2> roots;
@@ -82,7 +84,7 @@ std::vector<vec2> rootsAround(float hairs) {
                 const uint id =
                     pcg(bits ^ pcg(static_cast<uint>(i) * 73856093u ^
                                    static_cast<uint>(j) * 19349663u ^ kStream * 83492791u));
-                if (!(rand01(id) < 1.0f / 1.27f)) continue;
+                if (!(rand01(id) < 1.0f / 1.28f)) continue;
                 const vec2 place = (vec2(at) + 0.5f) / 2048.0f + vec2(i, j) -
                                    static_cast<float>(kStream) * vec2(0.7548777f, 0.5698403f);
                 const vec2 zx = period * place;
@@ -186,6 +188,175 @@ TEST(Shells, PlainLayersKeepWhatTheUnionOfDiscsDoes) {
                     keptByDiscs(q, layers));
         EXPECT_NEAR(kept, keptByDiscs(q, layers), 0.01) << q;
     }
+}
+
+TEST(Shells, HairsAreAsManyOnASquareMetreWhereverTheSkinFaces) {
+    constexpr uint kCount = 4096;
+    const gl::ProgramName program = test::computeProgram(
+        test::shaderHead({"types.glsl", "strand.glsl", "shell_data.glsl", "shell_hair.glsl"}) + R"(
+layout(local_size_x = 64) in;
+layout(std430, binding = 0) buffer Results { vec2 results[]; };  // sum, greatest chance
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    float z = 2.0 * rand01(3u * i) - 1.0;
+    float turn = 6.2831853 * rand01(3u * i + 1u);
+    vec3 n = vec3(sqrt(1.0 - z * z) * vec2(cos(turn), sin(turn)), z);
+    Axes axes = axesOf(n, 1.0);
+    float sum = 0.0;
+    float most = 0.0;
+    for (uint k = 0u, axis = axes.first; k < axes.count; ++k, axis = (axis + axes.step) % 3u) {
+        // So many hairs of the tile, seen along the axis, lie on a square metre of the skin.
+        sum += kTileExcess * axes.chance[axis] * abs(n[axis]);
+        most = max(most, axes.chance[axis]);
+    }
+    results[i] = vec2(sum, most);
+})");
+    gl::Buffer results;
+    results.resize(kCount * sizeof(vec2));
+    results.bindStorage(0);
+    glUseProgram(program.name());
+    glDispatchCompute(kCount / 64, 1, 1);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    double sum = 0.0;
+    for (const vec2 result : test::valuesOf<vec2>(results.name(), kCount)) {
+        EXPECT_NEAR(result.x, 1.0f, 0.04f);
+        EXPECT_LE(result.y, 1.0f);
+        sum += static_cast<double>(result.x) / kCount;
+    }
+    EXPECT_NEAR(sum, 1.0, 0.005);
+}
+
+// Thousands of hairs, so that chance counts for a hundredth. Roots of strands are where they are by
+// chance, those of the tile a little more even: they hide each other less.
+TEST(Shells, CoverWhatStrandsCoverInTheSameColor) {
+    Renderer renderer;
+    View view = slanted(50.0f, 0);
+    view.camera.distance *= 4.0f;
+    for (const float lean : {0.0f, 0.7f}) {
+        for (const uint hairs : {8000u, 30000u}) {
+            const Document document = patch(hairs, 1.0f, lean);
+            view.showSkin = false;
+            view.shells = Shells::swept;
+            const double shells = mean(covered(renderer, document, view));
+            view.shells = Shells::none;
+            const double strands = mean(covered(renderer, document, view));
+            std::printf("%u hairs, lean %.1f: shells cover %.4f, strands %.4f\n", hairs,
+                        static_cast<double>(lean), shells, strands);
+            EXPECT_NEAR(shells, strands, 0.03);
+        }
+        Document document = patch(0, 1.0f, lean);  // both coats as they are at first, over the skin
+        document.fur = defaultFur();
+        document.fur.hairs = 120000;
+        view.showSkin = true;
+        view.shells = Shells::swept;
+        const double shells = mean(test::linear(test::picture(renderer, document, view)));
+        view.shells = Shells::none;
+        const double strands = mean(test::linear(test::picture(renderer, document, view)));
+        std::printf("lean %.1f: shells are %.4f as bright as strands\n", static_cast<double>(lean),
+                    shells / strands);
+        EXPECT_NEAR(shells / strands, 1.0, 0.03);
+    }
+}
+
+// Both as they stand: the world turned about y with all that is in it.
+TEST(Shells, HairStaysWhereItStandsOnASkinThatMoves) {
+    Document document = test::furryBall(3000);
+    document.fur.gravity = 0.0f;
+    Renderer renderer;
+    View view = test::ballView(document, 128);
+    view.shells = Shells::swept;
+    const std::vector<float> atRest = test::linear(test::picture(renderer, document, view));
+
+    const float angle = 0.7f;
+    const mat3 turn(vec3(std::cos(angle), 0.0f, -std::sin(angle)), vec3(0.0f, 1.0f, 0.0f),
+                    vec3(std::sin(angle), 0.0f, std::cos(angle)));
+    auto posed = std::make_shared<Skin>(*document.skin);
+    for (SkinVertex& v : posed->vertices) {
+        v.position = turn * v.position;
+        v.normal = turn * v.normal;
+    }
+    for (Frame& frame : posed->frames) {
+        frame.toWorld = turn * frame.toWorld;
+        frame.toMesh = frame.toMesh * glm::transpose(turn);
+    }
+    View turned = view;
+    turned.camera.yaw += angle;
+    const double other =
+        test::distanceOf(atRest, test::linear(test::picture(renderer, document, turned)));
+    turned.posed = posed;
+    const double moved =
+        test::distanceOf(atRest, test::linear(test::picture(renderer, document, turned)));
+    std::printf("RMSE %.4f, of other hair %.4f\n", moved, other);
+    EXPECT_LT(moved, 0.1 * other);
+}
+
+TEST(Shells, OddCasesAreDrawn) {
+    Renderer renderer;
+    const auto draws = [&](const Document& document, const View& view) {
+        const test::Pixels pixels = test::picture(renderer, document, view);
+        EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+        const test::Pixels first(pixels.begin(), pixels.begin() + 4);
+        std::size_t others = 0;
+        for (std::size_t i = 0; i < pixels.size(); i += 4)
+            others += !std::equal(first.begin(), first.end(),
+                                  pixels.begin() + static_cast<std::ptrdiff_t>(i));
+        return others;
+    };
+    Document ball = test::furryBall(500);
+    for (const Shells shells : {Shells::swept, Shells::plain, Shells::instanced}) {
+        View view = test::ballView(ball, 24);
+        view.shells = shells;
+        view.showSkin = false;
+        for (const uint layers : {0u, 1u, 256u}) {
+            view.layers = layers;
+            EXPECT_GT(draws(ball, view), 50u) << layers;
+        }
+        Document longer = ball;  // than the body
+        longer.groom =
+            test::evenGroom(*ball.skin, {vec3(0.0f, 0.5f, 0.5f), 4.0f, vec3(1.0f), 1.0f});
+        EXPECT_GT(draws(longer, view), 50u);
+        Document bald = ball;
+        bald.fur.hairs = 0;
+        EXPECT_EQ(draws(bald, view), 0u);
+        bald = ball;
+        bald.groom = test::evenGroom(*ball.skin, {vec3(0.0f), 0.0f, vec3(1.0f), 1.0f});
+        EXPECT_EQ(draws(bald, view), 0u);
+        bald.groom = test::evenGroom(*ball.skin, {vec3(0.0f), 0.2f, vec3(1.0f), 0.0f});
+        EXPECT_EQ(draws(bald, view), 0u);
+        view.showOver = view.showUnder = false;
+        EXPECT_EQ(draws(ball, view), 0u);
+        view.showOver = true;
+        for (const float share : {0.0f, 1.0f}) {
+            Document one = ball;
+            one.fur.share = share;
+            EXPECT_EQ(draws(one, view) > 0, share > 0.0f);
+        }
+        view = test::ballView(ball, 24);  // from inside
+        view.shells = shells;
+        view.camera.target = vec3(0.0f);
+        view.camera.distance = 0.2f;
+        draws(ball, view);
+        const Document needle = test::evenDocument(test::oneMesh(
+            {{-1.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {1.0f, 1e-6f, 0.0f}}, {{0, 1, 2}}));
+        draws(needle, view);
+    }
+}
+
+TEST(Shells, TheEyeMayBeInTheFur) {
+    const Document ball = test::furryBall(20000);
+    Renderer renderer;
+    View view = test::ballView(ball, 48);
+    view.shells = Shells::swept;
+    view.camera.target = ball.skin->vertices[0].position;
+    view.camera.distance = 0.08f;  // of hair that is 0.2 m long
+    const auto& n = ball.skin->vertices[0].normal;
+    view.camera.yaw = std::atan2(n.x, n.z);
+    view.camera.pitch = std::asin(n.y);
+    const std::vector<float> fur = test::linear(test::picture(renderer, ball, view));
+    view.shells = Shells::none;
+    view.showOver = view.showUnder = false;
+    const std::vector<float> skin = test::linear(test::picture(renderer, ball, view));
+    EXPECT_GT(test::distanceOf(fur, skin), 0.02);
 }
 
 }  // namespace
