@@ -189,9 +189,12 @@ void render(const Options& options, bool json) {
         setParameter(document.fur, "both.style", options.technique);
     const HeadlessContext context;
     Renderer renderer;
-    const FrameStats stats = drawFinished(renderer, document, view);  // settles what FLIP asks for
+    FrameStats stats = drawFinished(renderer, document, view);  // settles what FLIP asks for
     writePicture(options.output, renderer, view.size);
     const std::vector<double> times = timeFrames(renderer, document, view, options.repeat);
+    // Without the programs that the first frame makes.
+    if (view.shells != Shells::none)
+        stats.shellSeconds = renderer.draw(document, view).shellSeconds;
     const OrderedJson result = jsonOf(options, document, view, stats, times, renderer);
     if (json) {
         printJson(result);
