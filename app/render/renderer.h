@@ -43,9 +43,6 @@ struct View {
 // True if both give the same picture of a document, but for lines.
 bool samePicture(const View& a, const View& b);
 
-// A key light over the shoulder, so that the animal is lit from wherever it is looked at.
-Light studioLight(const Camera& camera);
-
 struct FrameStats {
     std::size_t hairsTotal = 0;  // that grow at density 1
     // The rest up to `seconds` is of the last sample.
