@@ -139,7 +139,7 @@ void Renderer::Parts::drawSkin(const Canvas& canvas, const FrameData& frame, con
     glClearBufferfv(GL_COLOR, 0, &background.x);
     glClearBufferfv(GL_DEPTH, 0, &one);
     const Mirror::Surface& surface =
-        deviation > 0.0f ? mirror.surface(sightOf(frame), deviation) : mirror.surface();
+        deviation > 0.0f ? mirror.surface(sightOf(frame), deviation, view.waits) : mirror.surface();
     std::vector<Range> ranges;
     if (view.showSkin)
         ranges = view.culls ? inView(surface.patches, sightOf(frame)) : allOf(surface.patches);

@@ -32,6 +32,7 @@ struct View {
     std::shared_ptr<const Skin> posed;  // the document's skin as it stands (pose.h); null = at rest
     Detail detail;                      // how many hairs, and how fine
     bool coarsens = true;               // the skin too, where edges may be off; half as far
+    bool waits = true;                  // for coarser skin to be made; else draws finer till then
     bool culls = true;                  // leaves out early what cannot be seen; changes no picture
     int samples = 1;                    // frames that the still picture averages, [1, 1024]
     double patience = 1e9;  // s that a frame of all hairs may take, for the error to be measured
