@@ -6,6 +6,7 @@
 #include "app/accuracy_pictures.h"
 #include "app/accuracy_report.h"
 #include "app/app.h"
+#include "app/render/framing.h"
 
 namespace pelage {
 namespace {

@@ -16,6 +16,7 @@
 #include "app/cli/input.h"
 #include "app/cli/measure_report.h"
 #include "app/cli/picture.h"
+#include "app/render/framing.h"
 #include "core/files.h"
 
 namespace pelage {

@@ -10,6 +10,7 @@
 #include "app/cli/picture.h"
 #include "app/cli/print.h"
 #include "app/cli/reference.h"
+#include "app/render/framing.h"
 #include "core/pose.h"
 
 namespace pelage {
