@@ -21,7 +21,6 @@ AccuracySubject subjectOf(const App& app) {
     View& view = subject.view;
     view.overlay = Overlay::none;
     view.lines = {};
-    view.background = vec3(0.0f);
     view.size = measuredSize(view.size, subject.options.side);
     return subject;
 }
