@@ -10,6 +10,7 @@
 #include "app/cli/picture.h"
 #include "app/cli/print.h"
 #include "app/cli/reference.h"
+#include "app/render/framing.h"
 #include "core/pose.h"
 
 namespace pelage {
@@ -27,6 +28,7 @@ struct Options {
     std::optional<float> distance;     // m
     float yaw = 35.0f, pitch = 12.0f;  // degrees
     int samples = 16, repeat = 3;
+    bool transparent = false;
     Detail detail;
     TraceOptions trace;
 };
@@ -80,6 +82,7 @@ View viewOf(const Document& document, const Options& options) {
     view.camera =
         framedCamera(document, glm::radians(options.yaw), glm::radians(options.pitch), view.size);
     view.detail = options.detail;
+    view.transparent = options.transparent;
     if (options.distance) view.camera.distance = *options.distance;
     return view;
 }
@@ -209,6 +212,8 @@ void addRender(CLI::App& app, bool& json) {
         ->type_name("N")
         ->capture_default_str()
         ->check(CLI::Range(1, 1024));
+    verb->add_flag("--transparent", options->transparent,
+                   "Leave the background out: the alpha is the share of a pixel that is covered");
     verb->add_option("--repeat", options->repeat, "Frames that are timed")
         ->type_name("N")
         ->capture_default_str()

@@ -14,9 +14,9 @@ class PostPass {
 public:
     PostPass();
     void resize(ivec2 size);
-    // Begins a picture that is `background` (linear RGB) outside of a box, whose corners are given
-    // in sizes of the picture.
-    void begin(vec3 background, vec2 lower, vec2 upper);
+    // Begins a picture that is `background` (linear RGB, alpha) outside of a box, whose corners are
+    // given in sizes of the picture.
+    void begin(vec4 background, vec2 lower, vec2 upper);
     // Adds one sample; the first one of a picture replaces what was there.
     void accumulate(const gl::Texture& sample, bool first);
     // The mean of the accumulated samples, or `only` where there was a single one; sRGB-encoded,

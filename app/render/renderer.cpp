@@ -26,6 +26,11 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+// Linear RGB and alpha where there is nothing.
+vec4 behindOf(const View& view) {
+    return view.transparent ? vec4(0.0f) : vec4(view.background, 1.0f);
+}
+
 // What the picture depends on besides the document. Samples are left out: more of them go on with
 // the same picture.
 struct PictureKey {
@@ -36,7 +41,7 @@ struct PictureKey {
     Detail detail;
     uint segments, sides;
     float tolerance, seconds;
-    vec3 background;
+    vec4 behind;
     bool operator==(const PictureKey&) const = default;
 
     explicit PictureKey(const View& v)
@@ -53,7 +58,7 @@ struct PictureKey {
           sides(v.sides),
           tolerance(v.tolerance),
           seconds(v.seconds),
-          background(v.background) {}
+          behind(behindOf(v)) {}
 };
 
 // Pixels. Where a frame that is bound by time has to deviate by more it is drawn with half as many
@@ -62,7 +67,7 @@ struct PictureKey {
 constexpr float kBlurFrom = 4.0f, kSharpFrom = 0.5f;
 
 void begin(PostPass& post, const View& view, const Box& box, ivec2 size) {
-    post.begin(view.background, vec2(box.lower) / vec2(size), vec2(box.upper) / vec2(size));
+    post.begin(behindOf(view), vec2(box.lower) / vec2(size), vec2(box.upper) / vec2(size));
 }
 
 // What was drawn of the hair.
@@ -135,7 +140,7 @@ void Renderer::Parts::drawSkin(const Canvas& canvas, const FrameData& frame, con
     glDepthMask(GL_TRUE);
     glDisable(GL_SCISSOR_TEST);
     const float one = 1.0f;
-    const vec4 background(view.background, 1.0f);
+    const vec4 background = behindOf(view);
     glClearBufferfv(GL_COLOR, 0, &background.x);
     glClearBufferfv(GL_DEPTH, 0, &one);
     const Mirror::Surface& surface =

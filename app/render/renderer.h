@@ -37,6 +37,7 @@ struct View {
     int samples = 1;                    // frames that the still picture averages, [1, 1024]
     double patience = 1e9;  // s that a frame of all hairs may take, for the error to be measured
     vec3 background{0.58f, 0.63f, 0.69f};  // linear RGB
+    bool transparent = false;              // nothing is behind: the coverage is the alpha
     std::span<const OverlayLine> lines;
     bool operator==(const View&) const = delete;
 };
@@ -79,7 +80,8 @@ public:
     // and uses most of what it may have.
     FrameStats draw(const Document& document, const View& view);
 
-    // The finished picture: RGBA8, display-encoded (sRGB), view.size, first row at the bottom.
+    // The finished picture: RGBA8, display-encoded (sRGB), alpha straight and 1 unless the view is
+    // transparent, view.size, first row at the bottom.
     unsigned texture() const;
     // The same as bytes, first row at the top; 4 bytes a pixel.
     std::vector<unsigned char> pixels() const;
