@@ -6,6 +6,7 @@
 #include "app/accuracy_pictures.h"
 #include "app/accuracy_report.h"
 #include "app/app.h"
+#include "app/render/framing.h"
 
 namespace pelage {
 namespace {
@@ -20,7 +21,6 @@ AccuracySubject subjectOf(const App& app) {
     View& view = subject.view;
     view.overlay = Overlay::none;
     view.lines = {};
-    view.background = vec3(0.0f);
     view.size = measuredSize(view.size, subject.options.side);
     return subject;
 }

@@ -77,6 +77,7 @@ void drawPicture(App& app, Renderer& renderer, FrameKeys& keys, double now, bool
     const Viewport& viewport = app.viewport;
     View view = viewAtRest(app);
     view.patience = kPatience;
+    view.waits = false;
     if (moving) {
         view.detail.milliseconds = app.session.view.detail.milliseconds;
         view.samples = 1;

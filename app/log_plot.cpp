@@ -2,9 +2,10 @@
 #include "app/log_plot.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
+
+#include "core/log_axis.h"
 
 namespace pelage {
 namespace {
@@ -12,45 +13,18 @@ namespace {
 constexpr float kLabel = 46.0f, kAbove = 17.0f, kBelow = 16.0f;  // units of the design
 
 bool hasPlace(const LogPlot::Point& p) {
-    return p.x > 0.0f && p.y > 0.0f && std::isfinite(p.x) && std::isfinite(p.y);
+    return LogAxis::hasPlace(static_cast<double>(p.x)) &&
+           LogAxis::hasPlace(static_cast<double>(p.y));
 }
 
-// From a value to a place between two ends of the window.
-struct Axis {
-    float least = 0.0f, greatest = 0.0f;  // 0 while nothing is on it
-    float from = 0.0f, to = 0.0f;         // window units
+// Between two ends of the window.
+LogAxis axisOf(float from, float to) {
+    return {.from = static_cast<double>(from), .to = static_cast<double>(to)};
+}
 
-    void hold(float value) {
-        least = least > 0.0f ? std::min(least, value) : value;
-        greatest = std::max(greatest, value);
-    }
-    // Room at both ends, and at least `ratio` in all.
-    void widen(float ratio) {
-        const float room =
-            std::max(std::pow(greatest / least, 0.06f), std::sqrt(ratio * least / greatest));
-        least /= room;
-        greatest *= room;
-    }
-    float at(float value) const {
-        return from + (to - from) * std::log(value / least) / std::log(greatest / least);
-    }
-    // Round values, so far apart that each can be named.
-    std::vector<float> ticks(float apart) const {
-        constexpr std::array kDigits = {1.0f, 1.5f, 2.0f, 3.0f, 4.0f, 5.0f, 7.0f};
-        const bool fine = greatest < 8.0f * least;  // else 1, 2 and 5
-        std::vector<float> kept;
-        float decade = std::pow(10.0f, std::floor(std::log10(least)));
-        for (; decade <= greatest; decade *= 10.0f)
-            for (const float digit : kDigits) {
-                const float value = digit * decade;
-                if (value < least || value > greatest) continue;
-                if (!fine && digit != 1.0f && digit != 2.0f && digit != 5.0f) continue;
-                if (kept.empty() || std::abs(at(value) - at(kept.back())) >= apart)
-                    kept.push_back(value);
-            }
-        return kept;
-    }
-};
+float placeOn(const LogAxis& axis, float value) {
+    return static_cast<float>(axis.place(static_cast<double>(value)));
+}
 
 }  // namespace
 
@@ -63,35 +37,40 @@ void drawLogPlot(const Theme& theme, ImVec2 corner, ImVec2 size, const LogPlot& 
     ImGui::PushFont(theme.small);
     draw.AddText(corner, dim, plot.title);
 
-    Axis across{.from = corner.x + theme.px(kLabel), .to = corner.x + size.x};
-    Axis up{.from = corner.y + size.y - theme.px(kBelow), .to = corner.y + theme.px(kAbove)};
+    const ImVec2 lower(corner.x + theme.px(kLabel), corner.y + size.y - theme.px(kBelow));
+    const ImVec2 upper(corner.x + size.x, corner.y + theme.px(kAbove));
+    LogAxis across = axisOf(lower.x, upper.x), up = axisOf(lower.y, upper.y);
     if (hasPlace(plot.marked)) points.push_back(plot.marked);
     for (const LogPlot::Point& point : points) {
-        across.hold(point.x);
-        up.hold(point.y);
+        across.hold(static_cast<double>(point.x));
+        up.hold(static_cast<double>(point.y));
     }
-    draw.AddRectFilled({across.from, up.to}, {across.to, up.from}, ImGui::GetColorU32(color::kBack),
+    draw.AddRectFilled({lower.x, upper.y}, {upper.x, lower.y}, ImGui::GetColorU32(color::kBack),
                        theme.px(3));
     if (points.empty()) return ImGui::PopFont();
-    across.widen(4.0f);
-    up.widen(3.0f);
+    across.widen(4.0);
+    up.widen(3.0);
     const float letter = ImGui::GetFontSize();
-    for (const float value : up.ticks(1.3f * letter)) {
+    for (const double tick : up.ticks(static_cast<double>(1.3f * letter))) {
+        const auto value = static_cast<float>(tick);
         const std::string text = plot.nameY(value);
-        const float y = up.at(value), width = ImGui::CalcTextSize(text.c_str()).x;
-        draw.AddLine({across.from, y}, {across.to, y}, line);
-        draw.AddText({across.from - theme.px(5) - width, y - 0.5f * letter}, dim, text.c_str());
+        const float y = placeOn(up, value), width = ImGui::CalcTextSize(text.c_str()).x;
+        draw.AddLine({lower.x, y}, {upper.x, y}, line);
+        draw.AddText({lower.x - theme.px(5) - width, y - 0.5f * letter}, dim, text.c_str());
     }
-    for (const float value : across.ticks(theme.px(44))) {
+    for (const double tick : across.ticks(static_cast<double>(theme.px(44)))) {
+        const auto value = static_cast<float>(tick);
         const std::string text = plot.nameX(value);
         const float width = ImGui::CalcTextSize(text.c_str()).x;
-        const float x = across.at(value);
-        draw.AddLine({x, up.to}, {x, up.from}, line);
-        const float left = std::clamp(x - 0.5f * width, across.from, across.to - width);
-        draw.AddText({left, up.from + theme.px(2)}, dim, text.c_str());
+        const float x = placeOn(across, value);
+        draw.AddLine({x, upper.y}, {x, lower.y}, line);
+        const float left = std::clamp(x - 0.5f * width, lower.x, upper.x - width);
+        draw.AddText({left, lower.y + theme.px(2)}, dim, text.c_str());
     }
 
-    const auto place = [&](const LogPlot::Point& p) { return ImVec2(across.at(p.x), up.at(p.y)); };
+    const auto place = [&](const LogPlot::Point& p) {
+        return ImVec2(placeOn(across, p.x), placeOn(up, p.y));
+    };
     if (hasPlace(plot.marked)) points.pop_back();
     for (std::size_t i = 1; i < points.size(); ++i)
         draw.AddLine(place(points[i - 1]), place(points[i]), curve, theme.px(1.5f));
@@ -109,8 +88,9 @@ void drawLogPlot(const Theme& theme, ImVec2 corner, ImVec2 size, const LogPlot& 
 
     if (ImGui::IsMouseHoveringRect(corner, {corner.x + size.x, corner.y + size.y})) {
         const float x = ImGui::GetIO().MousePos.x;
-        const auto nearest = std::ranges::min_element(
-            points, {}, [&](const LogPlot::Point& p) { return std::abs(across.at(p.x) - x); });
+        const auto nearest = std::ranges::min_element(points, {}, [&](const LogPlot::Point& p) {
+            return std::abs(placeOn(across, p.x) - x);
+        });
         draw.AddCircle(place(*nearest), theme.px(6), mark, 0, theme.px(1.5f));
         ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0f);
         ImGui::SetTooltip("%s away: %s%s", plot.nameX(nearest->x).c_str(),

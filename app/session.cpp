@@ -1,5 +1,6 @@
 // session.cpp -- brush and camera habits.
 #include "app/session.h"
+#include "app/render/framing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,8 +29,6 @@ std::string lengthText(float metres) {
                   unit.name);
     return text;
 }
-
-float modelRadius(const Skin& skin) { return skin.radius + firstLength(skin); }
 
 void frameAll(Session& session, const Skin& skin, float aspect) {
     const bool orthographic = session.camera.orthographic;

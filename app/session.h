@@ -69,9 +69,6 @@ struct Session {
     const Brush& brush() const { return brushes[static_cast<std::size_t>(tool)]; }
 };
 
-// Radius of the ball around skin.center() to frame, m: the skin and a coat of usual length.
-float modelRadius(const Skin& skin);
-
 // Brushes and camera for an animal that was just opened; view options and brush habits stay.
 void meetSkin(Session& session, const Skin& skin, float aspect);
 

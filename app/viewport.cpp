@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/app.h"
+#include "app/render/framing.h"
 #include "app/segment_arrow.h"
 
 namespace pelage {

@@ -16,8 +16,9 @@ struct FurInView {
 };
 FurInView furInView(const Roots& roots, const InSight& seen, const Sight& sight, const Pelt& pelt);
 
-// Pixels; coarser than that saves next to nothing, however small the fur is in the picture.
-constexpr float kCoarsest = 2.0f;
+// Pixels, however great the error that is asked for. The mean over a picture counts its background
+// too: where the fur is small in it, hair that is a tuft to the eye costs next to no error.
+constexpr float kCoarsest = 1.0f;
 
 // Below it every hair is drawn.
 constexpr float kFinest = 0.01f;

@@ -25,6 +25,13 @@ struct Plane {
     std::vector<float> values;
 };
 
+// Of a plane that is not empty.
+inline double meanOf(const Plane& plane) {
+    double sum = 0.0;
+    for (const float value : plane.values) sum += static_cast<double>(value);
+    return sum / static_cast<double>(plane.values.size());
+}
+
 // The relative luminance of linear RGB with the primaries of sRGB; 1 for white.
 inline float luminance(vec3 rgb) {
     return (2613072.0f * rgb.r + 8788810.0f * rgb.g + 887015.0f * rgb.b) / 12288897.0f;

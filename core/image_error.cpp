@@ -70,12 +70,6 @@ double percentile(std::vector<float> values, double share) {
     return static_cast<double>(*at);
 }
 
-double mean(const std::vector<float>& values) {
-    double sum = 0.0;
-    for (const float value : values) sum += static_cast<double>(value);
-    return sum / static_cast<double>(values.size());
-}
-
 }  // namespace
 
 ImageErrors imageErrors(const Image& image, const Image& reference) {
@@ -97,7 +91,7 @@ ImageErrors imageErrors(const Image& image, const Image& reference) {
     errors.rmse = std::sqrt(squares / (3.0 * static_cast<double>(image.pixels.size())));
     errors.luminanceBias = ratio(light, referenceLight) - 1.0;
     errors.flipMap = flip(image, reference);
-    errors.flipMean = mean(errors.flipMap.values);
+    errors.flipMean = meanOf(errors.flipMap);
     errors.flip99 = percentile(errors.flipMap.values, 0.99);
     errors.ssim = ssim(image, reference);
     if (!isOpaque(image) || !isOpaque(reference))

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <iterator>
 
+#include "log_axis.h"
 #include "text.h"
 
 namespace pelage {
@@ -35,58 +36,25 @@ std::string textAt(double x, double y, const std::string& text, const std::strin
     return "<text" + at("x", x) + at("y", y) + " " + rest + ">" + markupText(text) + "</text>\n";
 }
 
+// The size, or a smaller one by which the text is no wider than that.
+std::string fontFor(const std::string& text, double size, double wide) {
+    constexpr double kLetter = 0.62;  // mean width of bold ones, of their size
+    const double letters = static_cast<double>(std::max<std::size_t>(text.size(), 1));
+    return "font-size=\"" + number(std::min(size, wide / (kLetter * letters))) + "\"";
+}
+
 std::string lineTo(double x0, double y0, double x1, double y1, const char* rest) {
     return "<line" + at("x1", x0) + at("y1", y0) + at("x2", x1) + at("y2", y1) + " " + rest +
            "/>\n";
 }
 
-bool hasPlace(const PlotPoint& p) {
-    return p.x > 0.0 && p.y > 0.0 && std::isfinite(p.x) && std::isfinite(p.y);
-}
+bool hasPlace(const PlotPoint& p) { return LogAxis::hasPlace(p.x) && LogAxis::hasPlace(p.y); }
 
-// A logarithmic axis from one end of the picture to the other.
-struct Axis {
-    double least = 0.0, greatest = 0.0;  // 0 while nothing is on it
-    double from = 0.0, to = 0.0;         // pixels
-
-    void hold(double value) {
-        least = least > 0.0 ? std::min(least, value) : value;
-        greatest = std::max(greatest, value);
-    }
-    // Some room at both ends, and at least a factor of two.
-    void widen() {
-        if (greatest <= 0.0) least = greatest = 1.0;
-        const double more = std::max(std::pow(greatest / least, 0.08), 1.0) *
-                            (greatest < 2.0 * least ? std::sqrt(2.0) : 1.0);
-        least /= more;
-        greatest *= more;
-    }
-    double place(double value) const {
-        return from + (to - from) * std::log(value / least) / std::log(greatest / least);
-    }
-    std::vector<double> ticksOf(std::span<const double> steps) const {
-        std::vector<double> found;
-        for (double decade = std::pow(10.0, std::floor(std::log10(least))); decade <= greatest;
-             decade *= 10.0)
-            for (const double step : steps)
-                if (step * decade >= least && step * decade <= greatest)
-                    found.push_back(step * decade);
-        return found;
-    }
-    // Four of them, if the finest steps of a decade give as many.
-    std::vector<double> ticks() const {
-        static constexpr double kCoarse[] = {1.0, 2.0, 5.0};
-        static constexpr double kMiddle[] = {1.0, 1.5, 2.0, 3.0, 5.0, 7.0};
-        static constexpr double kFine[] = {1.0, 1.2, 1.5, 2.0, 2.5, 3.0,
-                                           4.0, 5.0, 6.0, 7.0, 8.0, 9.0};
-        for (const std::span<const double> steps : {std::span<const double>(kCoarse), {kMiddle}})
-            if (std::vector<double> found = ticksOf(steps); found.size() >= 4) return found;
-        return ticksOf(kFine);
-    }
-};
+constexpr double kLeastRatio = 2.5;               // of the ends of an axis
+constexpr double kApartX = 40.0, kApartY = 20.0;  // of ticks
 
 struct Frame {
-    Axis x, y;
+    LogAxis x, y;
 };
 
 Frame frameOf(const Plot& plot, double left) {
@@ -97,8 +65,8 @@ Frame frameOf(const Plot& plot, double left) {
                 frame.x.hold(p.x);
                 frame.y.hold(p.y);
             }
-    frame.x.widen();
-    frame.y.widen();
+    frame.x.widen(kLeastRatio);
+    frame.y.widen(kLeastRatio);
     frame.x.from = left + kLeft;
     frame.x.to = left + kWide - kRight;
     frame.y.from = kHigh - kBottom;
@@ -106,23 +74,25 @@ Frame frameOf(const Plot& plot, double left) {
     return frame;
 }
 
-std::string axesOf(const Plot& plot, const Frame& f) {
+std::string axesOf(const Plot& plot, const Frame& f, double left) {
     const double middle = 0.5 * (f.x.from + f.x.to);
     std::string svg;
-    for (const double tick : f.x.ticks()) {
+    for (const double tick : f.x.ticks(kApartX)) {
         const double x = f.x.place(tick);
         svg += lineTo(x, f.y.from, x, f.y.to, "stroke=\"#e4e4e4\"");
         svg += textAt(x, f.y.from + 15.0, number(tick), "text-anchor=\"middle\"");
     }
-    for (const double tick : f.y.ticks()) {
+    for (const double tick : f.y.ticks(kApartY)) {
         const double y = f.y.place(tick);
         svg += lineTo(f.x.from, y, f.x.to, y, "stroke=\"#e4e4e4\"");
         svg += textAt(f.x.from - 6.0, y + 4.0, number(tick), "text-anchor=\"end\"");
     }
     svg += lineTo(f.x.from, f.y.from, f.x.to, f.y.from, "stroke=\"#444\"");
     svg += lineTo(f.x.from, f.y.from, f.x.from, f.y.to, "stroke=\"#444\"");
-    svg += textAt(middle, f.y.to - 14.0, plot.title,
-                  "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
+    const double titleWide = 2.0 * std::min(middle - left, left + kWide - middle);
+    svg += textAt(
+        middle, f.y.to - 14.0, plot.title,
+        "text-anchor=\"middle\" font-weight=\"bold\" " + fontFor(plot.title, 14.0, titleWide));
     svg += textAt(middle, f.y.from + 34.0, plot.xLabel, "text-anchor=\"middle\"");
     svg += textAt(f.x.from, f.y.to - 3.0, plot.yLabel, "text-anchor=\"start\"");
     if (plot.floor > f.y.least && plot.floor < f.y.greatest) {
@@ -168,22 +138,29 @@ std::string marksOf(const Frame& f, const PlotSeries& series, std::size_t which)
     return svg;
 }
 
-std::string plotAt(const Plot& plot, double left) {
-    const Frame frame = frameOf(plot, left);
+// From the left to the right.
+std::vector<PlotPoint> frontOf(const Plot& plot) {
     std::vector<PlotPoint> front;
     for (const PlotSeries& series : plot.series)
         std::ranges::copy_if(series.points, std::back_inserter(front),
                              [](const PlotPoint& p) { return p.front && hasPlace(p); });
     std::ranges::sort(front, {}, &PlotPoint::x);
-    std::string svg = axesOf(plot, frame);
-    svg +=
-        polyline(frame, front, "stroke-width=\"7\" stroke=\"#ffe08a\" stroke-linejoin=\"round\"");
+    return front;
+}
+
+std::string plotAt(const Plot& plot, double left) {
+    const Frame frame = frameOf(plot, left);
+    const std::vector<PlotPoint> front = frontOf(plot);
+    std::string svg = axesOf(plot, frame, left);
+    if (!front.empty())
+        svg += polyline(frame, front,
+                        "stroke-width=\"7\" stroke=\"#ffe08a\" stroke-linejoin=\"round\"");
     for (std::size_t i = 0; i < plot.series.size(); ++i) svg += marksOf(frame, plot.series[i], i);
     return svg;
 }
 
 // In as many lines as the width asks for.
-std::string legendOf(const std::vector<PlotSeries>& series, double wide) {
+std::string legendOf(const std::vector<PlotSeries>& series, bool front, double wide) {
     std::string svg;
     double x = kLeft, y = kHigh + 12.0;
     const auto entry = [&](const std::string& mark, const std::string& name) {
@@ -200,7 +177,8 @@ std::string legendOf(const std::vector<PlotSeries>& series, double wide) {
         entry(
             std::string("<circle cx=\"7\" r=\"4\" fill=\"") + kColors[i % kColors.size()] + "\"/>",
             series[i].name);
-    entry(lineTo(0.0, 0.0, 14.0, 0.0, "stroke=\"#ffe08a\" stroke-width=\"7\""), "Pareto front");
+    if (front)
+        entry(lineTo(0.0, 0.0, 14.0, 0.0, "stroke=\"#ffe08a\" stroke-width=\"7\""), "Pareto front");
     return svg;
 }
 
@@ -217,8 +195,10 @@ std::string svgOf(std::span<const Plot> plots, const std::string& footer) {
     svg += "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
     for (std::size_t i = 0; i < plots.size(); ++i)
         svg += plotAt(plots[i], kWide * static_cast<double>(i));
-    if (!plots.empty()) svg += legendOf(plots.front().series, wide);
-    svg += textAt(8.0, high - 8.0, footer, "font-size=\"9\" fill=\"#666\"");
+    const bool front =
+        std::ranges::any_of(plots, [](const Plot& plot) { return !frontOf(plot).empty(); });
+    if (!plots.empty()) svg += legendOf(plots.front().series, front, wide);
+    svg += textAt(8.0, high - 8.0, footer, "fill=\"#666\" " + fontFor(footer, 9.0, wide - 16.0));
     return svg + "</svg>\n";
 }
 

@@ -27,7 +27,8 @@ struct Plot {
 };
 
 // One SVG document: the plots, all of the same series, side by side above one legend and a line of
-// text. What is not positive and finite has no place on such an axis and is left out.
+// text. Titles and that line are smaller where they are long. The legend names the front where a
+// plot has one. What is not positive and finite has no place on such an axis and is left out.
 std::string svgOf(std::span<const Plot> plots, const std::string& footer);
 
 }  // namespace pelage

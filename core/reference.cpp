@@ -46,10 +46,12 @@ void checkSize(ivec2 size) {
 }  // namespace
 
 ReferencePicture::ReferencePicture(std::shared_ptr<const ReferenceScene> scene,
-                                   const ReferenceView& view)
-    : scene_(std::move(scene)), view_(view) {
+                                   const ReferenceView& view, std::span<const Lighting> more)
+    : scene_(std::move(scene)), view_(view), lightings_{{view.shadows, view.style}} {
     checkSize(view.size);
-    sums_.resize(2 * static_cast<std::size_t>(view.size.x) * static_cast<std::size_t>(view.size.y),
+    lightings_.insert(lightings_.end(), more.begin(), more.end());
+    sums_.resize(2 * lightings_.size() * static_cast<std::size_t>(view.size.x) *
+                     static_cast<std::size_t>(view.size.y),
                  vec4(0.0f));
 }
 
@@ -59,59 +61,63 @@ void ReferencePicture::add(uint samples, Progress* progress) {
     const TracedDocument& scene = scene_->traced();
     std::vector<vec4> sums = sums_;
     std::atomic<std::size_t> rays{0}, done{0};
-    // The mean radiance of a half of a pixel's samples, added to what it has.
+    // A half of a pixel's samples, added to what it has.
     const auto sampleHalf = [&](int x, int y, uint half) {
         const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.size.x) +
                            static_cast<std::size_t>(x);
         const uint seed = pcg(static_cast<uint>(pixel) ^ pcg(2 * view_.seed + half));
         std::size_t traced = 0;
-        vec4& sum = sums[2 * pixel + half];
+        const std::span<vec4> ofHalf =
+            std::span(sums).subspan((2 * pixel + half) * lightings_.size(), lightings_.size());
         for (uint i = ofHalf_; i < ofHalf_ + more; ++i) {
             const Ray ray = rayThrough(view_, *scene.rays, vec2(x, y) + stratified(i, seed));
             ++traced;
             const auto hit = scene.rays->cast(ray.origin, ray.direction);
             if (!hit) continue;
-            const Seen seen = seenAt(scene, view_, *hit, -ray.direction, {i, seed});
-            traced += seen.rays;
-            sum += vec4(seen.radiance, 1.0f);
+            traced +=
+                addSeen(ofHalf, scene, view_.light, lightings_, *hit, -ray.direction, {i, seed});
         }
         return traced;
     };
-    tbb::parallel_for(
-        tbb::blocked_range2d<int>(0, view_.size.y, kTile, 0, view_.size.x, kTile),
-        [&](const auto& tile) {
-            std::size_t traced = 0;
-            for (int y = tile.rows().begin(); y < tile.rows().end(); ++y)
-                for (int x = tile.cols().begin(); x < tile.cols().end(); ++x)
-                    traced += sampleHalf(x, y, 0) + sampleHalf(x, y, 1);
-            rays += traced;
-            done += tile.rows().size() * tile.cols().size();
-            if (progress)
-                progress->report(2.0f * static_cast<float>(done) / static_cast<float>(sums.size()));
-        });
+    tbb::parallel_for(tbb::blocked_range2d<int>(0, view_.size.y, kTile, 0, view_.size.x, kTile),
+                      [&](const auto& tile) {
+                          std::size_t traced = 0;
+                          for (int y = tile.rows().begin(); y < tile.rows().end(); ++y)
+                              for (int x = tile.cols().begin(); x < tile.cols().end(); ++x)
+                                  traced += sampleHalf(x, y, 0) + sampleHalf(x, y, 1);
+                          rays += traced;
+                          done += tile.rows().size() * tile.cols().size();
+                          if (progress)
+                              progress->report(static_cast<float>(2 * lightings_.size() * done) /
+                                               static_cast<float>(sums.size()));
+                      });
     sums_ = std::move(sums);
     ofHalf_ += more;
     rays_ += rays;
 }
 
-std::vector<vec4> ReferencePicture::pixels() const {
-    std::vector<vec4> means(sums_.size() / 2);
+std::vector<vec4> ReferencePicture::pixels(std::size_t picture) const {
+    assert(picture < lightings_.size());
+    std::vector<vec4> means(sums_.size() / (2 * lightings_.size()));
     const float share = 0.5f / static_cast<float>(std::max(ofHalf_, 1u));
-    for (std::size_t p = 0; p < means.size(); ++p)
-        means[p] = share * (sums_[2 * p] + sums_[2 * p + 1]);
+    for (std::size_t p = 0; p < means.size(); ++p) {
+        const std::size_t a = 2 * p * lightings_.size() + picture;
+        means[p] = share * (sums_[a] + sums_[a + lightings_.size()]);
+    }
     return means;
 }
 
-ReferenceNoise ReferencePicture::noise(vec3 background) const {
-    assert(ofHalf_ > 0);
+ReferenceNoise ReferencePicture::noise(vec3 background, std::size_t picture) const {
+    assert(ofHalf_ > 0 && picture < lightings_.size());
+    const std::size_t step = 2 * lightings_.size();
     double color = 0.0, coverage = 0.0;
-    for (std::size_t p = 0; p < sums_.size(); p += 2) {
-        const vec4 apart = sums_[p] - sums_[p + 1];
+    for (std::size_t a = picture; a < sums_.size(); a += step) {
+        const vec4 apart = sums_[a] - sums_[a + lightings_.size()];
         const vec3 over = vec3(apart) - apart.a * background;
         color += static_cast<double>(glm::dot(over, over)) / 3.0;
         coverage += static_cast<double>(apart.a * apart.a);
     }
-    const double scale = 0.5 / ofHalf_ / std::sqrt(0.5 * static_cast<double>(sums_.size()));
+    const double scale = 0.5 / ofHalf_ / std::sqrt(static_cast<double>(sums_.size() / step));
     return {static_cast<float>(scale * std::sqrt(color)),
             static_cast<float>(scale * std::sqrt(coverage))};
 }

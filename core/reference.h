@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "document.h"
@@ -54,6 +55,12 @@ enum class Shadows {
     live  // by the functions of the live view, from the optical depth of the coat
 };
 
+// How what a ray meets is lit.
+struct Lighting {
+    Shadows shadows = Shadows::traced;
+    std::optional<uint> style;  // kStyle... by which both coats are lit; none = each by its own
+};
+
 struct ReferenceView {
     ivec2 size{900, 900};                                                            // pixels
     vec3 eye{0.0f};                                                                  // world
@@ -61,8 +68,8 @@ struct ReferenceView {
     float halfHeight = 0.3f;  // of the picture: m, or in perspective the tangent of half its angle
     bool orthographic = false;
     Light light{};
-    Shadows shadows = Shadows::traced;
-    std::optional<uint> style;  // kStyle... by which both coats are lit; none = each by its own
+    Shadows shadows = Shadows::traced;  // as of Lighting
+    std::optional<uint> style;
     uint seed = 1;
 };
 
@@ -76,8 +83,10 @@ struct ReferenceNoise {
 // samples are divided among calls of add; in a pixel they are spread evenly (stratified.h).
 class ReferencePicture {
 public:
-    // Throws std::runtime_error for a size that is not in [1, 16384] each way.
-    ReferencePicture(std::shared_ptr<const ReferenceScene> scene, const ReferenceView& view);
+    // `more` are further pictures by the same rays, each as it would be alone. Throws
+    // std::runtime_error for a size that is not in [1, 16384] each way.
+    ReferencePicture(std::shared_ptr<const ReferenceScene> scene, const ReferenceView& view,
+                     std::span<const Lighting> more = {});
 
     // Adds so many samples to each pixel, rounded up to an even number, up to 65536 in all. Throws
     // Cancelled; the picture is then as before the call.
@@ -87,18 +96,21 @@ public:
     std::size_t rays() const { return rays_; }  // traced so far, shadows among them
 
     // Mean radiance (linear RGB, times coverage) and coverage of each pixel, first row at the top.
-    std::vector<vec4> pixels() const;
+    // Picture 0 is lit as the view says, the others follow.
+    std::vector<vec4> pixels(std::size_t picture = 0) const;
 
     // The error of pixels() over a background that randomness leaves. Samples are taken in two
     // halves A and B that know nothing of each other; the picture is (A + B) / 2, its variance
     // a quarter of the mean of (A - B)^2. Needs samples.
-    ReferenceNoise noise(vec3 background) const;
+    ReferenceNoise noise(vec3 background, std::size_t picture = 0) const;
 
 private:
     std::shared_ptr<const ReferenceScene> scene_;
     ReferenceView view_;
-    std::vector<vec4> sums_;  // of the samples of each half; pixel after pixel, A then B
-    uint ofHalf_ = 0;         // samples
+    std::vector<Lighting> lightings_;  // of the pictures
+    std::vector<vec4>
+        sums_;         // of the samples of each half: for each pixel A of each picture, then B
+    uint ofHalf_ = 0;  // samples
     std::size_t rays_ = 0;
 };
 

@@ -1,5 +1,6 @@
 // reference_light.cpp -- what hair and skin send to the eye, by the functions of fiber.glsl.
 #include <cmath>
+#include <optional>
 
 #include "reference_scene.h"
 #include "strand_inline.h"
@@ -47,35 +48,48 @@ struct Corners {
     }
 };
 
-vec3 hairRadiance(const TracedDocument& scene, const ReferenceView& view, const RayHit& hit,
-                  vec3 toEye, SampleId sample) {
+// Adds what is lit by each lighting: by the light that reaches a place on a skin of normal n, or,
+// where that is null, by the functions of the live view.
+template <typename LitBy>
+uint addEach(std::span<vec4> sums, std::span<const Lighting> lightings, const RayScene& rays,
+             const RayHit& hit, vec3 n, const Light& light, SampleId sample, const LitBy& lit) {
+    std::optional<Reaching> reaching;  // the same for all that are traced
+    for (std::size_t l = 0; l < sums.size(); ++l) {
+        const bool traced = lightings[l].shadows == Shadows::traced;
+        if (traced && !reaching) reaching = reachingBy(rays, hit, n, light, sample);
+        sums[l] += vec4(lit(lightings[l], traced ? &*reaching : nullptr), 1.0f);
+    }
+    return reaching ? 2u : 0u;
+}
+
+uint addHair(std::span<vec4> sums, const TracedDocument& scene, const Light& light,
+             std::span<const Lighting> lightings, const RayHit& hit, vec3 toEye, SampleId sample) {
     const Growth& growth = scene.growth;
     const Fur& fur = growth.fur;
     const Root& root = growth.roots.roots[scene.rootOf[hit.number]];
     Strand s = grownStrand(growth, scene.rootOf[hit.number]);
-    s.style = view.style.value_or(s.coat == 0u ? scene.overStyle : scene.underStyle);
     const Coat& coat = s.coat == 0u ? fur.over : fur.under;
     const Corners corners{growth.skin.triangles[root.triangle], baryWeights(root.bary)};
     const vec3 tint = corners.mixed([&](uint v) { return growth.painted[v].tint; });
     const vec3 base =
         tint * mix(vec3(1.0f), scene.colors.at(root.triangle, corners.weights), fur.skinColor);
     const vec3 tangent = strandTangent(s, hit.t);
-    FiberLight light;
-    if (view.shadows == Shadows::live) {
-        const float painted = s.spineLength / max(coat.relativeLength, 1e-6f);
-        const float depth = depthInCoat(fur, scene.hairsPerArea() * s.keep, painted,
-                                        growth.overWidth, growth.underWidth, s.coat, hit.t);
-        light = fiberLight(s, coat, view.light, base, hit.t, tangent, toEye, depth);
-    } else {
-        const Reaching reaching = reachingBy(*scene.rays, hit, s.normal, view.light, sample);
-        light = fiberLitBy(s, coat, view.light.toKey, reaching, base, hit.t, tangent, toEye);
-    }
+    const float painted = s.spineLength / max(coat.relativeLength, 1e-6f);
+    const float depth = depthInCoat(fur, scene.hairsPerArea() * s.keep, painted, growth.overWidth,
+                                    growth.underWidth, s.coat, hit.t);
     const vec3 side = safeUnit(hit.facing - dot(hit.facing, tangent) * tangent, s.binormal);
-    return radianceOf(light, sideNormal(s, tangent, side), view.light.toKey);
+    const auto lit = [&](const Lighting& lighting, const Reaching* reaching) {
+        s.style = lighting.style.value_or(s.coat == 0u ? scene.overStyle : scene.underStyle);
+        const FiberLight fiber =
+            reaching ? fiberLitBy(s, coat, light.toKey, *reaching, base, hit.t, tangent, toEye)
+                     : fiberLight(s, coat, light, base, hit.t, tangent, toEye, depth);
+        return radianceOf(fiber, sideNormal(s, tangent, side), light.toKey);
+    };
+    return addEach(sums, lightings, *scene.rays, hit, s.normal, light, sample, lit);
 }
 
-vec3 skinRadianceAt(const TracedDocument& scene, const ReferenceView& view, const RayHit& hit,
-                    vec3 toEye, SampleId sample) {
+uint addSkin(std::span<vec4> sums, const TracedDocument& scene, const Light& light,
+             std::span<const Lighting> lightings, const RayHit& hit, vec3 toEye, SampleId sample) {
     const Growth& growth = scene.growth;
     const Fur& fur = growth.fur;
     const Corners corners{growth.skin.triangles[hit.number], hit.weights};
@@ -87,18 +101,20 @@ vec3 skinRadianceAt(const TracedDocument& scene, const ReferenceView& view, cons
     const float depth = depthInCoat(fur, scene.hairsPerArea() * density, painted, growth.overWidth,
                                     growth.underWidth, 0u, 0.0f);
     const vec3 base = scene.colors.at(hit.number, hit.weights);
-    if (view.shadows == Shadows::live) return skinRadiance(view.light, fur.under, base, n, depth);
-    const Reaching light = reachingBy(*scene.rays, hit, n, view.light, sample);
-    return skinColor(fur.under, base, depth) *
-           (light.sky + vec3(light.key * max(0.0f, dot(n, view.light.toKey))));
+    const auto lit = [&](const Lighting&, const Reaching* reaching) {
+        if (!reaching) return skinRadiance(light, fur.under, base, n, depth);
+        return skinColor(fur.under, base, depth) *
+               (reaching->sky + vec3(reaching->key * max(0.0f, dot(n, light.toKey))));
+    };
+    return addEach(sums, lightings, *scene.rays, hit, n, light, sample, lit);
 }
 
 }  // namespace
 
-Seen seenAt(const TracedDocument& scene, const ReferenceView& view, const RayHit& hit, vec3 toEye,
-            SampleId sample) {
-    const auto radiance = hit.onHair ? hairRadiance : skinRadianceAt;
-    return {radiance(scene, view, hit, toEye, sample), view.shadows == Shadows::traced ? 2u : 0u};
+uint addSeen(std::span<vec4> sums, const TracedDocument& scene, const Light& light,
+             std::span<const Lighting> lightings, const RayHit& hit, vec3 toEye, SampleId sample) {
+    const auto add = hit.onHair ? addHair : addSkin;
+    return add(sums, scene, light, lightings, hit, toEye, sample);
 }
 
 }  // namespace pelage

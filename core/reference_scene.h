@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "base_color.h"
@@ -32,13 +33,9 @@ struct SampleId {
     uint index, seed;
 };
 
-struct Seen {
-    vec3 radiance{0.0f};
-    uint rays = 0;  // traced for it
-};
-
-// What a place that a ray met sends to where the ray came from; toEye is unit.
-Seen seenAt(const TracedDocument& scene, const ReferenceView& view, const RayHit& hit, vec3 toEye,
-            SampleId sample);
+// Adds to each sum what a place that a ray met sends to where the ray came from under the lighting
+// of the same number, and 1 for that it is covered; toEye is unit. Returns how many rays it traced.
+uint addSeen(std::span<vec4> sums, const TracedDocument& scene, const Light& light,
+             std::span<const Lighting> lightings, const RayHit& hit, vec3 toEye, SampleId sample);
 
 }  // namespace pelage

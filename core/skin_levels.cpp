@@ -137,12 +137,25 @@ private:
     std::vector<uint> standsFor_;
 };
 
+// Of work that ends after some more of them.
+class Rounds {
+public:
+    explicit Rounds(Progress* progress) : progress_(progress) {}
+    void next() {
+        if (progress_) progress_->report(1.0f - 1.0f / static_cast<float>(++number_));
+    }
+
+private:
+    Progress* progress_;
+    int number_ = 0;
+};
+
 // Each vertex in its cell of the coarsest grid that is good enough, or on its own.
 class Clusters {
 public:
-    Clusters(const Skin& skin, const Lists& sources, float side) {
+    Clusters(const Skin& skin, const Lists& sources, float side, Rounds& rounds) {
         const std::vector<uint> part = partOfVertex(*skin.source);
-        for (; side > 0.5f * skin.spacing; side *= 0.5f)
+        for (; side > 0.5f * skin.spacing; side *= 0.5f, rounds.next())
             grids_.emplace_back(skin, sources, part, side);
         gridOf_.assign(skin.vertices.size(), 0);
         for (uint v = 0; v < gridOf_.size(); ++v) standsFor_.push_back(standsFor(v));
@@ -252,16 +265,17 @@ int levelWithin(const Skin& skin, const Sight& sight, float deviation) {
     return levelWithin(skin, kShare * deviation * nearest / sight.pixelsPerMetre);
 }
 
-SkinLevel makeSkinLevel(const Skin& skin, int level) {
+SkinLevel makeSkinLevel(const Skin& skin, int level, Progress* progress) {
+    Rounds rounds(progress);
+    rounds.next();
     SkinLevel made;
     made.error = errorOf(skin, level);
     const float side = sideOf(skin, level);
     made.reach = std::sqrt(3.0f) * side;
     const Lists sources = sourcesOf(skin);
-    Clusters clusters(skin, sources, side);
+    Clusters clusters(skin, sources, side, rounds);
     // Each round refines, so there is a last one.
-    while (clusters.refine(failing(skin, clusters, made.error))) {
-    }
+    while (clusters.refine(failing(skin, clusters, made.error))) rounds.next();
     const Patches fine = makePatches(skin);
     for (const Patch& patch : fine.patches)
         appendPatch(made, skin, sources, clusters, fine, patch.triangles);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "patches.h"
+#include "progress.h"
 
 namespace pelage {
 
@@ -28,7 +29,8 @@ int levelWithin(const Skin& skin, float error);
 // the place of the skin that is nearest to the eye.
 int levelWithin(const Skin& skin, const Sight& sight, float deviation);
 
-// Time grows with the number of triangles; the same on every machine.
-SkinLevel makeSkinLevel(const Skin& skin, int level);
+// Time grows with the number of triangles; the same on every machine. Throws Cancelled soon after
+// that is asked for.
+SkinLevel makeSkinLevel(const Skin& skin, int level, Progress* progress = nullptr);
 
 }  // namespace pelage

@@ -3,4 +3,4 @@ layout(binding = 0) uniform sampler2D sampleColor;
 layout(location = 0) uniform vec2 pixel;  // 1 / pixels of the picture; a sample may have fewer
 out vec4 color;
 
-void main() { color = vec4(textureLod(sampleColor, gl_FragCoord.xy * pixel, 0.0).rgb, 1.0); }
+void main() { color = textureLod(sampleColor, gl_FragCoord.xy * pixel, 0.0); }

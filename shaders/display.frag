@@ -1,4 +1,4 @@
-// display.frag -- the mean of the samples, from linear light to sRGB.
+// display.frag -- the mean of the samples, from linear light to sRGB, alpha straight.
 layout(binding = 0) uniform sampler2D sum;
 layout(location = 0) uniform float weight;  // 1 / number of samples
 layout(location = 1) uniform vec2 pixel;  // 1 / pixels of the picture; a sample may have fewer
@@ -12,5 +12,6 @@ vec3 encodeSrgb(vec3 c) {
 }
 
 void main() {
-    color = vec4(encodeSrgb(weight * textureLod(sum, gl_FragCoord.xy * pixel, 0.0).rgb), 1.0);
+    vec4 mean = weight * textureLod(sum, gl_FragCoord.xy * pixel, 0.0);
+    color = vec4(encodeSrgb(mean.rgb / max(mean.a, 1e-6)), mean.a);
 }

@@ -29,10 +29,8 @@ const float kInSlab = 0.5;  // where a layer lies in its slab
 #else
 const float kInSlab = 0.0;
 #endif
-// Of the way from root to root that a slab is long at most. Where a number of layers is asked for, two
-// roots of a texel are then enough; otherwise a few hairs may be missed that others mostly hide.
+// Of the way from root to root that a slab is long at most: two roots of a texel are then enough.
 const float kLongestSlab = 1.0;
-const float kLongestAuto = 2.0;
 
 struct Ray {         // through the fur over a ball
     float top;       // m, height where it begins
@@ -113,7 +111,7 @@ float stepsFor(Ray ray, ShellCoat coat, float highest, float spacings) {
     const float kApart = 0.5;
     if (shellLayers == 0u) asked = spacings * coat.period / (32.0 * kApart * coat.width);
 #else
-    asked = max(asked, max(spacings / (shellLayers > 0u ? kLongestSlab : kLongestAuto), 4.0));
+    asked = max(asked, max(spacings / kLongestSlab, 4.0));
 #endif
     return asked;
 }

@@ -1,19 +1,20 @@
 // measure.cpp -- pelage measure: milliseconds against error, for every way to draw hair.
 #include "app/measure/measure.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <memory>
+#include <optional>
+#include <stdexcept>
 #include <thread>
 
 #include "app/cli/cli.h"
 #include "app/cli/input.h"
 #include "app/cli/measure_report.h"
 #include "app/cli/picture.h"
+#include "app/render/framing.h"
 #include "core/files.h"
 
 namespace pelage {
@@ -27,7 +28,7 @@ struct Options {
     std::vector<std::string> views, techniques;  // empty = all
     int size = 320;                              // pixels of each side
     uint samples = 256, seed = 1;
-    int repeat = 5;
+    std::size_t repeat = 5;
 };
 
 template <class Row>
@@ -78,10 +79,30 @@ MeasureOptions optionsOf(const Document& document, const Options& options) {
     return wanted;
 }
 
-// What is being done, on a line of the terminal that the next one overwrites.
-void tellTerminal(const std::string& what) {
-    if (isatty(STDERR_FILENO)) std::fprintf(stderr, "\r\033[K%s", what.c_str());
-}
+// Tells stderr what is being done, a line each, and how long it took.
+class Steps {
+public:
+    Steps() = default;
+    ~Steps() { end(); }
+    Steps(const Steps&) = delete;
+    Steps& operator=(const Steps&) = delete;
+
+    void begin(const std::string& what) {
+        end();
+        std::fprintf(stderr, "%s", what.c_str());
+        start_ = Clock::now();
+    }
+    void end() {
+        if (!start_) return;
+        const std::chrono::duration<double> time = Clock::now() - *start_;
+        std::fprintf(stderr, ": %.1f s\n", time.count());
+        start_.reset();
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    std::optional<Clock::time_point> start_;
+};
 
 void write(const std::string& path, const std::string& text) {
     writeFileAtomically(path, std::as_bytes(std::span(text)));
@@ -92,8 +113,10 @@ void measureFile(const Options& options, bool json) {
     const MeasureOptions wanted = optionsOf(document, options);
     makeFolder(options.folder);
     const HeadlessContext context;
-    const Measurement measurement = measure(document, wanted, tellTerminal);
-    tellTerminal("");
+    Steps steps;
+    const Measurement measurement =
+        measure(document, wanted, [&](const std::string& what) { steps.begin(what); });
+    steps.begin("writing the report");
 
     const ReportHead head{.model = stemOf(options.input.file),
                           .preset = options.input.preset,
@@ -106,6 +129,7 @@ void measureFile(const Options& options, bool json) {
     write(at + "json", report.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n");
     write(at + "html", reportPage(head, measurement));
     write(options.folder + "/plot.svg", reportPlot(head, measurement));
+    steps.end();
     if (json) {
         report["output"] = options.folder;
         printJson(report);
@@ -148,7 +172,7 @@ void addMeasure(CLI::App& app, bool& json) {
     verb->add_option("--seed", options->seed, "Of these samples")
         ->type_name("N")
         ->capture_default_str();
-    verb->add_option("--repeat", options->repeat, "Frames that are timed for each figure")
+    verb->add_option("--repeat", options->repeat, "Frames that are timed for each figure, at least")
         ->type_name("N")
         ->capture_default_str()
         ->check(CLI::Range(1, 10000));

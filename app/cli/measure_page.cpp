@@ -1,6 +1,7 @@
 // measure_page.cpp -- the report as one page of HTML: what to read first comes first.
 #include <cmath>
 #include <cstdio>
+#include <tuple>
 
 #include "app/cli/measure_report.h"
 #include "core/coat.h"
@@ -116,6 +117,22 @@ std::string rowTable(const MeasuredEye& eye) {
     return html + "</table>\n";
 }
 
+// Which errors the noise of the reference leaves in doubt.
+std::string doubts(const MeasuredEye& eye) {
+    std::string names;
+    for (const Measured& row : eye.rows) {
+        const References& references = eye.referenceOf(row);
+        for (const auto& [errors, reference, what] :
+             {std::tuple(&row.drawing, &references.drawing, "drawing"),
+              std::tuple(&row.light, &references.light, "light")})
+            if (!(noiseShare(errors->rmse, *reference) <= kMostNoise))
+                names += (names.empty() ? "" : ", ") + std::string(row.technique->name) + " " +
+                         row.technique->values[row.value] + " (" + what + ")";
+    }
+    return "<p>Errors less than five times the noise of their reference: " +
+           (names.empty() ? "none" : markupText(names)) + ".</p>\n";
+}
+
 std::string gallery(const MeasuredEye& eye) {
     const auto noiseText = [](const TracedPicture& traced) {
         return "noise " + textOf("%.4f", static_cast<double>(traced.noise.color));
@@ -149,8 +166,9 @@ std::string intro(const ReportHead& head, const Measurement& m) {
            (head.preset.empty() ? "" : "coat " + markupText(head.preset) + ", ") +
            std::to_string(m.size.x) + "&#215;" + std::to_string(m.size.y) +
            " pixels; references of " + std::to_string(m.spp) + " samples a pixel, seed " +
-           std::to_string(m.seed) + "; each frame timed " + std::to_string(m.repeat) +
-           " times</p>\n<p>Every way to draw hair is held against a ray-traced picture of the same "
+           std::to_string(m.seed) + "; at least " + std::to_string(m.repeat) +
+           " frames timed for each row</p>\n<p>Every way to draw hair is held against a ray-traced "
+           "picture of the same "
            "hairs at their true width. <b>Drawing</b> is the error against a reference that is lit "
            "as the live view lights it, <b>light</b> that against one whose shadows are traced. "
            "Each style is held against a reference whose hair is lit as that style lights it: thin "
@@ -174,7 +192,7 @@ std::string reportPage(const ReportHead& head, const Measurement& measurement) {
         html +=
             "<h2>" + markupText(eye.name) + "</h2>\n" + eyePlots(head, measurement, eye) +
             "<h3>How near each comes</h3>\n" + approachTable(eye) + "<h3>All figures</h3>\n" +
-            rowTable(eye) +
+            rowTable(eye) + doubts(eye) +
             "<h3>Pictures, and where they differ (FLIP of drawing, black 0 to yellow 1)</h3>\n" +
             gallery(eye);
     }

@@ -37,6 +37,7 @@ OrderedJson rowJson(const MeasuredEye& eye, const Measured& row, bool front) {
             {"msFrame", row.msFrame},
             {"msLeast", row.msLeast},
             {"msGreatest", row.msGreatest},
+            {"framesTimed", row.framesTimed},
             {"samples", row.samples},
             {"hairsDrawn", row.hairsDrawn},
             {"segmentsDrawn", row.segmentsDrawn},

@@ -56,9 +56,12 @@ void traceReference(const Document& document, const View& view, const TraceOptio
     ReferencePicture picture(scene, traced);
     picture.add(options.samples);
     const double tracing = secondsSince(start);
-    writePng(output, view.size, displayed(picture, view.background));
+    if (view.transparent)
+        writeImage(output, {view.size, picture.pixels()});
+    else
+        writePng(output, view.size, displayed(picture, view.background));
 
-    const ReferenceNoise noise = picture.noise(view.background);
+    const ReferenceNoise noise = picture.noise(view.transparent ? vec3(0.0f) : view.background);
     const OrderedJson result = {{"output", output},
                                 {"width", view.size.x},
                                 {"height", view.size.y},

@@ -11,6 +11,7 @@
 #include "app/cli/picture.h"
 #include "app/cli/print.h"
 #include "app/cli/reference.h"
+#include "app/render/framing.h"
 #include "core/pose.h"
 
 namespace pelage {
@@ -35,6 +36,7 @@ struct Options {
     float yaw = 35.0f, pitch = 12.0f;  // degrees
     std::string layers = "auto";
     int samples = 16, repeat = 3;
+    bool transparent = false;
     Detail detail;
     TraceOptions trace;
 };
@@ -106,6 +108,7 @@ View viewOf(const Document& document, const Options& options) {
     for (const auto& [name, shells] : kShells)
         if (options.technique == name) view.shells = shells;
     view.layers = *parseLayers(options.layers);
+    view.transparent = options.transparent;
     if (options.distance) view.camera.distance = *options.distance;
     return view;
 }
@@ -252,6 +255,8 @@ void addRender(CLI::App& app, bool& json) {
         ->type_name("N")
         ->capture_default_str()
         ->check(CLI::Range(1, 1024));
+    verb->add_flag("--transparent", options->transparent,
+                   "Leave the background out: the alpha is the share of a pixel that is covered");
     verb->add_option("--repeat", options->repeat, "Frames that are timed")
         ->type_name("N")
         ->capture_default_str()

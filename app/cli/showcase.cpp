@@ -6,6 +6,7 @@
 #include "app/cli/input.h"
 #include "app/cli/picture.h"
 #include "app/cli/print.h"
+#include "app/render/framing.h"
 #include "core/animal.h"
 #include "core/gltf_out.h"
 

@@ -29,7 +29,7 @@ View measuredView();
 // How far the camera stands.
 struct Nearness {
     const char* name;
-    float share;  // of the distance that frames the model with its hair, see zoomed in picture.h
+    float share;  // of the distance that frames the model with its hair, see zoomed in framing.h
 };
 std::span<const Nearness> nearnesses();  // close 1/4, middle 1, far 6
 

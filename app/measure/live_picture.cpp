@@ -1,52 +1,34 @@
-// live_picture.cpp -- the picture over black, the picture over white, frames that are timed.
+// live_picture.cpp -- frames of a picture, then more of them where more are to be timed.
 #include "app/measure/live_picture.h"
 
-#include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "app/render/frames.h"
 #include "core/pixels.h"
 
 namespace pelage {
-namespace {
-
-// Coverage: what a white background does not lighten.
-void findCoverage(Image& onBlack, const Image& onWhite) {
-    for (std::size_t i = 0; i < onBlack.pixels.size(); ++i) {
-        const vec3 through = vec3(onWhite.pixels[i]) - vec3(onBlack.pixels[i]);
-        onBlack.pixels[i].a =
-            std::clamp(1.0f - (through.r + through.g + through.b) / 3.0f, 0.0f, 1.0f);
-    }
-}
-
-}  // namespace
 
 std::optional<LivePicture> LiveDrawing::step(Renderer& renderer, const Document& document) {
-    if (!complete_) {
-        drawPicture(renderer, document);
-        return std::nullopt;
+    if (!picture_.stats.finished) {
+        drawSample(renderer, document);
+    } else {
+        picture_.times.push_back(timeFrame(renderer, document, view_, turn_++));
     }
-    const double ms = timeFrame(renderer, document, view_, turn_++);
-    if (turn_ > 1) picture_.times.push_back(ms);  // the first one is of another view
-    if (turn_ <= timed_) return std::nullopt;
+    if (!picture_.stats.finished || picture_.times.size() < timed_) return std::nullopt;
     return std::move(picture_);
 }
 
-// Over black, which settles what the detail comes to, then over white with the same hairs.
-void LiveDrawing::drawPicture(Renderer& renderer, const Document& document) {
-    const bool black = picture_.image.pixels.empty();
-    view_.background = vec3(black ? 0.0f : 1.0f);
-    if (!black) view_.patience = 0.0;
-    const FrameStats stats = renderer.draw(document, view_);
-    if (!stats.finished) return;
-    Image image = linearImage({view_.size, renderer.pixels()});
-    if (black) {
-        picture_.image = std::move(image);
-        picture_.stats = stats;
-        return;
-    }
-    findCoverage(picture_.image, image);
-    complete_ = true;
+void LiveDrawing::drawSample(Renderer& renderer, const Document& document) {
+    const int before = picture_.stats.samples;
+    const auto start = std::chrono::steady_clock::now();
+    picture_.stats = renderer.draw(document, view_);
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+    // The first one uploads the document; no other one counts without a new sample of the picture;
+    // and where that began anew it is with another detail.
+    if (picture_.stats.samples < before) picture_.times.clear();
+    if (before > 0 && picture_.stats.samples != before) picture_.times.push_back(time.count());
+    if (picture_.stats.finished) picture_.image = linearImage({view_.size, renderer.pixels()});
 }
 
 }  // namespace pelage

@@ -12,24 +12,27 @@ namespace pelage {
 struct LivePicture {
     Image image{};                // linear light over black
     FrameStats stats{};           // of its last frame
-    std::vector<double> times{};  // ms of single frames, as timeFrame
+    std::vector<double> times{};  // ms of single frames
 };
 
 class LiveDrawing {
 public:
-    // What the view shows but for its background, before so many frames that are only timed.
-    LiveDrawing(const View& view, int timed) : view_(view), timed_(timed) {}
+    // What the view shows but for its background. At least so many frames are timed: those of the
+    // picture but for the first, and as many more as it takes.
+    LiveDrawing(const View& view, std::size_t timed) : view_(view), timed_(timed) {
+        view_.transparent = true;
+    }
 
     // Draws one more frame; the picture with the last of them, nothing before. The document has to
     // be the same each time.
     std::optional<LivePicture> step(Renderer& renderer, const Document& document);
 
 private:
-    void drawPicture(Renderer& renderer, const Document& document);
+    void drawSample(Renderer& renderer, const Document& document);
 
     View view_;
-    int timed_, turn_ = 0;
-    bool complete_ = false;  // the picture, with its coverage
+    std::size_t timed_;
+    int turn_ = 0;
     LivePicture picture_;
 };
 

@@ -12,28 +12,6 @@
 namespace pelage {
 namespace {
 
-TracedPicture traced(std::shared_ptr<const ReferenceScene> scene, ReferenceView view,
-                     Shadows shadows, const MeasureOptions& options) {
-    view.shadows = shadows;
-    view.seed = options.seed;
-    ReferencePicture picture(std::move(scene), view);
-    picture.add(options.spp);
-    return tracedPicture(picture, view.size);
-}
-
-// Traces what is not there yet.
-std::size_t referenceNumber(MeasuredEye& eye, const std::shared_ptr<const ReferenceScene>& scene,
-                            ReferenceView view, std::optional<uint> style,
-                            const MeasureOptions& options) {
-    const auto known = std::ranges::find(eye.references, style, &References::style);
-    const auto number = static_cast<std::size_t>(known - eye.references.begin());
-    if (known != eye.references.end()) return number;
-    view.style = style;
-    eye.references.push_back({style, traced(scene, view, Shadows::live, options),
-                              traced(scene, view, Shadows::traced, options)});
-    return number;
-}
-
 // The style that a technique has given to both coats, if it is another one than they had. Lines and
 // curves are lit alike.
 std::optional<uint> styleTurned(const Fur& before, const Fur& turned) {
@@ -42,15 +20,76 @@ std::optional<uint> styleTurned(const Fur& before, const Fur& turned) {
     return turned.over.style == kStyleLine ? kStyleCurve : turned.over.style;
 }
 
-Measured measured(Renderer& renderer, const Document& document, const View& view,
-                  const Technique& technique, std::size_t value, int repeat) {
-    Measured row{.technique = &technique, .value = value};
-    LiveDrawing drawing(view, repeat);
+// One value of one technique from one eye.
+struct Trial {
+    const Technique* technique;
+    std::size_t value;
+    Fur fur;
+    View view;
+    std::optional<uint> style;  // that its reference is lit by
+
+    std::string name() const {
+        return std::string(technique->name) + " " + technique->values[value];
+    }
+};
+
+std::vector<Trial> trialsOf(const Fur& fur, const View& view,
+                            const std::vector<const Technique*>& techniques) {
+    std::vector<Trial> trials;
+    for (const Technique* technique : techniques)
+        for (std::size_t value = 0; value < technique->values.size(); ++value) {
+            Trial& trial = trials.emplace_back(Trial{technique, value, fur, view, {}});
+            technique->turn(value, trial.fur, trial.view);
+            trial.style = styleTurned(fur, trial.fur);
+        }
+    return trials;
+}
+
+// With every light that the trials ask for, all by the same rays.
+std::vector<References> tracedReferences(std::shared_ptr<const ReferenceScene> scene,
+                                         ReferenceView view, const std::vector<Trial>& trials,
+                                         const MeasureOptions& options) {
+    std::vector<References> references(1);
+    for (const Trial& trial : trials)
+        if (std::ranges::find(references, trial.style, &References::style) == references.end())
+            references.push_back({.style = trial.style});
+    view.shadows = Shadows::live;
+    view.seed = options.seed;
+    std::vector<Lighting> more = {{Shadows::traced, {}}};
+    for (std::size_t i = 1; i < references.size(); ++i)
+        for (const Shadows shadows : {Shadows::live, Shadows::traced})
+            more.push_back({shadows, references[i].style});
+    ReferencePicture picture(std::move(scene), view, more);
+    picture.add(options.spp);
+    for (std::size_t i = 0; i < references.size(); ++i) {
+        references[i].drawing = tracedPicture(picture, view.size, 2 * i);
+        references[i].light = tracedPicture(picture, view.size, 2 * i + 1);
+    }
+    return references;
+}
+
+bool sameFrame(const Trial& a, const Trial& b) {
+    View view = a.view;
+    view.samples = b.view.samples;
+    return a.fur == b.fur && samePicture(view, b.view);
+}
+
+// Takes the times from a row of the same frames, if there is one.
+Measured drawn(Renderer& renderer, Document document, const Trial& trial, std::size_t repeat,
+               const Measured* twin) {
+    Measured row;
+    document.fur = trial.fur;
+    LiveDrawing drawing(trial.view, twin ? 0 : repeat);
     std::optional<LivePicture> picture;
     while (!picture) picture = drawing.step(renderer, document);
-    row.msFrame = median(picture->times);
-    row.msLeast = *std::ranges::min_element(picture->times);
-    row.msGreatest = *std::ranges::max_element(picture->times);
+    if (twin) {
+        row = *twin;
+    } else {
+        row.msFrame = median(picture->times);
+        row.msLeast = *std::ranges::min_element(picture->times);
+        row.msGreatest = *std::ranges::max_element(picture->times);
+        row.framesTimed = picture->times.size();
+    }
     row.image = std::move(picture->image);
     row.samples = picture->stats.samples;
     row.hairsDrawn = picture->stats.hairsDrawn;
@@ -59,10 +98,31 @@ Measured measured(Renderer& renderer, const Document& document, const View& view
     return row;
 }
 
+// The row of trial `number`, those before it being measured.
+Measured measured(Renderer& renderer, const Document& document, const std::vector<Trial>& trials,
+                  std::size_t number, const MeasuredEye& eye, std::size_t repeat) {
+    const Trial& trial = trials[number];
+    const Measured *twin = nullptr, *same = nullptr;
+    for (std::size_t i = 0; i < number && !same; ++i) {
+        if (!sameFrame(trials[i], trial)) continue;
+        twin = &eye.rows[i];
+        if (trials[i].view.samples == trial.view.samples) same = twin;
+    }
+    Measured row = same ? *same : drawn(renderer, document, trial, repeat, twin);
+    row.technique = trial.technique;
+    row.value = trial.value;
+    if (same) return row;
+    const auto reference = std::ranges::find(eye.references, trial.style, &References::style);
+    row.reference = static_cast<std::size_t>(reference - eye.references.begin());
+    row.drawing = imageErrors(row.image, reference->drawing.image);
+    row.light = imageErrors(row.image, reference->light.image);
+    return row;
+}
+
 }  // namespace
 
-TracedPicture tracedPicture(const ReferencePicture& picture, ivec2 size) {
-    TracedPicture result{{size, picture.pixels()}, picture.noise(vec3(0.0f))};
+TracedPicture tracedPicture(const ReferencePicture& traced, ivec2 size, std::size_t picture) {
+    TracedPicture result{{size, traced.pixels(picture)}, traced.noise(vec3(0.0f), picture)};
     for (vec4& pixel : result.image.pixels) pixel = glm::clamp(pixel, 0.0f, 1.0f);
     return result;
 }
@@ -108,24 +168,12 @@ Measurement measure(const Document& document, const MeasureOptions& options,
     for (const MeasureOptions::Eye& eye : options.eyes) {
         view.camera = eye.camera;
         MeasuredEye seen{.name = eye.name, .camera = eye.camera};
-        const auto numberOf = [&](std::optional<uint> style) {
-            return referenceNumber(seen, scene, referenceView(view), style, options);
-        };
+        const std::vector<Trial> trials = trialsOf(document.fur, view, options.techniques);
         say(eye.name + ": reference");
-        numberOf(std::nullopt);
-        for (const Technique* technique : options.techniques) {
-            for (std::size_t value = 0; value < technique->values.size(); ++value) {
-                say(eye.name + ": " + technique->name + " " + technique->values[value]);
-                Document turned = document;
-                View turnedView = view;
-                technique->turn(value, turned.fur, turnedView);
-                Measured row =
-                    measured(renderer, turned, turnedView, *technique, value, options.repeat);
-                row.reference = numberOf(styleTurned(document.fur, turned.fur));
-                row.drawing = imageErrors(row.image, seen.referenceOf(row).drawing.image);
-                row.light = imageErrors(row.image, seen.referenceOf(row).light.image);
-                seen.rows.push_back(std::move(row));
-            }
+        seen.references = tracedReferences(scene, referenceView(view), trials, options);
+        for (std::size_t i = 0; i < trials.size(); ++i) {
+            say(eye.name + ": " + trials[i].name());
+            seen.rows.push_back(measured(renderer, document, trials, i, seen, options.repeat));
         }
         result.eyes.push_back(std::move(seen));
     }

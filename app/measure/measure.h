@@ -19,10 +19,10 @@ struct MeasureOptions {
     };
     std::vector<Eye> eyes;
     std::vector<const Technique*> techniques;
-    ivec2 size{320, 320};  // pixels
-    uint spp = 256;        // samples of each pixel of a reference
-    uint seed = 1;         // of them
-    int repeat = 5;        // frames that are timed
+    ivec2 size{320, 320};    // pixels
+    uint spp = 256;          // samples of each pixel of a reference
+    uint seed = 1;           // of them
+    std::size_t repeat = 5;  // frames that are timed, at least
 };
 
 // Pictures are linear light over black, of what a display shows: no more than 1.
@@ -30,14 +30,15 @@ struct TracedPicture {
     Image image;
     ReferenceNoise noise;  // over black
 };
-TracedPicture tracedPicture(const ReferencePicture& picture, ivec2 size);
+TracedPicture tracedPicture(const ReferencePicture& traced, ivec2 size, std::size_t picture = 0);
 
 struct Measured {  // one value of a knob
     const Technique* technique = nullptr;
     std::size_t value = 0;
     double msFrame = 0.0, msLeast = 0.0, msGreatest = 0.0;  // median and spread of one frame
-    int samples = 0;                                        // frames in the mean
-    std::size_t hairsDrawn = 0;                             // that the skin did not hide
+    std::size_t framesTimed = 0;
+    int samples = 0;             // frames in the mean
+    std::size_t hairsDrawn = 0;  // that the skin did not hide
     std::size_t segmentsDrawn = 0;
     std::size_t bytes = 0;  // of GPU memory
     Image image{};
@@ -67,7 +68,7 @@ struct Measurement {
     ivec2 size{0};
     std::size_t triangles = 0, hairs = 0;
     uint spp = 0, seed = 0;
-    int repeat = 0;
+    std::size_t repeat = 0;
     std::string device;  // Renderer::device
     std::vector<MeasuredEye> eyes{};
 };
@@ -86,8 +87,8 @@ std::vector<Approach> approaches(const MeasuredEye& eye);
 double noiseShare(double rmse, const TracedPicture& reference);
 inline constexpr double kMostNoise = 0.2;
 
-// Draws each value of each technique from each eye. `tell` is called with what is done next. Needs
-// a current OpenGL context.
+// Draws each value of each technique from each eye; what is drawn alike is drawn and timed once.
+// `tell` is called with what is done next. Needs a current OpenGL context.
 Measurement measure(const Document& document, const MeasureOptions& options,
                     const std::function<void(const std::string&)>& tell = {});
 

@@ -70,7 +70,7 @@ std::vector<Figure> costsOf(const App& app, const AccuracyPoint& view) {
     const float asked = app.session.view.detail.milliseconds;
     std::vector<Figure> rows = {
         {"Frame", number("%.1f ms", view.ms()),
-         "Median of five frames at this size, to the end of the GPU's work. The picture is the "
+         "Median of the frames of this picture, to the end of the GPU's work. The picture is the "
          "mean of several."},
         {"Hairs drawn", grouped(stats.hairsDrawn) + " of " + grouped(stats.hairsTotal),
          "That the rule of detail left and the skin did not hide, of all that grow."},

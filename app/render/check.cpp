@@ -1,8 +1,6 @@
 // check.cpp -- the picture of all hairs that one of fewer is held against.
 #include "app/render/check.h"
 
-#include <numeric>
-
 #include "core/flip.h"
 #include "core/pixels.h"
 
@@ -27,9 +25,8 @@ void Check::add() {
 }
 
 float Check::errorOf(PostPass& picture, const Canvas& last) {
-    const Plane error = flip(imageOf(picture, samples, last), imageOf(post, samples, canvas));
-    return static_cast<float>(std::accumulate(error.values.begin(), error.values.end(), 0.0) /
-                              static_cast<double>(error.values.size()));
+    return static_cast<float>(
+        meanOf(flip(imageOf(picture, samples, last), imageOf(post, samples, canvas))));
 }
 
 }  // namespace pelage

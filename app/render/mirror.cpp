@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <glm/gtc/packing.hpp>
+#include <iterator>
+#include <utility>
 
 #include "app/render/base_colors.h"
 #include "app/render/frame_data.h"
@@ -94,6 +96,7 @@ void Mirror::uploadSkin(const Skin& skin) {
     fine_.patches = makePatches(skin);
     fine_.indices.upload(view(inOrder(source.triangles, fine_.patches.order)));
     coarse_.clear();
+    making_.reset();
     triangles_.upload(view(trianglesWithMaterial(skin, parts_)));
     sourceTriangles_.upload(view(source.triangles));
     corners_.upload(view(cornersOf(skin)));
@@ -203,16 +206,23 @@ void Mirror::bind() const {
     glBindTextureUnit(binding::baseColors, baseColors_.name());
 }
 
-const Mirror::Surface& Mirror::surface(const Sight& sight, float deviation) {
-    const int level = shown_ == skin_ ? levelWithin(*skin_, sight, deviation) : kNoLevel;
-    if (level == kNoLevel) return fine_;
-    const auto [at, isNew] = coarse_.try_emplace(level);
-    if (isNew) {
-        SkinLevel made = makeSkinLevel(*skin_, level);
-        at->second.patches = std::move(made.patches);
-        at->second.indices.upload(view(made.triangles));
+void Mirror::keep(int level, SkinLevel made) {
+    Surface& surface = coarse_[level];
+    surface.patches = std::move(made.patches);
+    surface.indices.upload(view(made.triangles));
+}
+
+const Mirror::Surface& Mirror::surface(const Sight& sight, float deviation, bool waits) {
+    const int wanted = shown_ == skin_ ? levelWithin(*skin_, sight, deviation) : kNoLevel;
+    if (wanted == kNoLevel) return fine_;
+    if (making_ && (making_->ready() || (waits && making_->level() == wanted))) {
+        const auto made = std::exchange(making_, nullptr);
+        keep(made->level(), made->take());
     }
-    return at->second;
+    if (waits && !coarse_.contains(wanted)) keep(wanted, makeSkinLevel(*skin_, wanted));
+    if (!making_ && !coarse_.contains(wanted)) making_ = std::make_unique<LevelTask>(skin_, wanted);
+    const auto coarser = coarse_.upper_bound(wanted);
+    return coarser == coarse_.begin() ? fine_ : std::prev(coarser)->second;
 }
 
 float Mirror::longestHair() const {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "app/render/gl.h"
+#include "app/render/level_task.h"
 #include "core/document.h"
 #include "core/lod.h"
-#include "core/skin_levels.h"
 
 namespace pelage {
 
@@ -45,9 +45,10 @@ public:
         gl::Buffer indices;
     };
     const Surface& surface() const { return fine_; }
-    // Where edges may be off by `deviation` pixels. Levels are made when they are first needed;
-    // there are none in other poses than that at rest.
-    const Surface& surface(const Sight& sight, float deviation);
+    // Where edges may be off by `deviation` pixels. Levels are made when they are first needed:
+    // beside the caller, who has a finer surface until then, or at once where he `waits`. There
+    // are none in other poses than that at rest, and none of a skin that is no longer there.
+    const Surface& surface(const Sight& sight, float deviation, bool waits);
     const gl::Buffer& corners() const { return corners_; }
     // As it stands.
     const Skin& skin() const { return *shown_; }
@@ -60,6 +61,7 @@ public:
 
 private:
     void uploadSkin(const Skin& skin);
+    void keep(int level, SkinLevel made);
     void uploadGroom(const Groom& groom, bool newSkin, bool newPose);
     void findChunks();
     void updateTufts(const std::vector<bool>& newChunks);
@@ -73,7 +75,8 @@ private:
     bool textured_ = false;
     std::vector<Part> parts_;
     Surface fine_;
-    std::map<int, Surface> coarse_;  // by level
+    std::map<int, Surface> coarse_;      // by level
+    std::unique_ptr<LevelTask> making_;  // the next of them, of skin_
     std::size_t chunksUploaded_ = 0;
     std::vector<float> longestOfChunk_;
     gl::Buffer skinVertices_, furVertices_, triangles_, sourceTriangles_, corners_, materials_,

@@ -27,7 +27,8 @@ void PostPass::resize(ivec2 size) {
     pictureTarget_ = gl::makeFramebuffer(picture_);
 }
 
-void PostPass::begin(vec3 background, vec2 lower, vec2 upper) {
+void PostPass::begin(vec4 background, vec2 lower, vec2 upper) {
+    background_.a = background.a;
     for (int i = 0; i < 3; ++i)
         background_[i] = srgbFromLinear(glm::clamp(
             glm::unpackHalf1x16(glm::packHalf1x16(background[i])), 0.0f, 1.0f));  // as samples are

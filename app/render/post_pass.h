@@ -14,9 +14,9 @@ class PostPass {
 public:
     PostPass();
     void resize(ivec2 size);
-    // Begins a picture that is `background` (linear RGB) outside of a box, whose corners are given
-    // in sizes of the picture.
-    void begin(vec3 background, vec2 lower, vec2 upper);
+    // Begins a picture that is `background` (linear RGB, alpha) outside of a box, whose corners are
+    // given in sizes of the picture.
+    void begin(vec4 background, vec2 lower, vec2 upper);
     // Adds one sample; the first one of a picture replaces what was there.
     void accumulate(const gl::Texture& sample, bool first);
     // The mean of the accumulated samples, or `only` where there was a single one; sRGB-encoded,
@@ -26,9 +26,6 @@ public:
 
     std::vector<unsigned char> pixels() const;  // of picture(), RGBA8, first row at the top
     const gl::Texture& picture() const { return picture_; }
-    std::size_t bytes() const {
-        return static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * 20;
-    }
 
 private:
     vec2 pixel() const { return 1.0f / vec2(size_); }

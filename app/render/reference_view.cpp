@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/render/frame_view.h"
+
 namespace pelage {
 namespace {
 

@@ -8,14 +8,14 @@
 #include <stdexcept>
 
 #include "app/render/canvas.h"
+#include "app/render/capabilities.h"
 #include "app/render/check.h"
-#include "app/render/frame_data.h"
-#include "app/render/mirror.h"
+#include "app/render/flip_budget.h"
+#include "app/render/frame_view.h"
 #include "app/render/post_pass.h"
 #include "app/render/shell_pass.h"
 #include "app/render/skin_pass.h"
 #include "app/render/strand_pass.h"
-#include "core/fidelity.h"
 #include "core/pace.h"
 
 namespace pelage {
@@ -25,6 +25,11 @@ using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Linear RGB and alpha where there is nothing.
+vec4 behindOf(const View& view) {
+    return view.transparent ? vec4(0.0f) : vec4(view.background, 1.0f);
 }
 
 // What the picture depends on besides the document. Samples are left out: more of them go on with
@@ -39,7 +44,7 @@ struct PictureKey {
     uint layers;
     uint segments, sides;
     float tolerance, seconds;
-    vec3 background;
+    vec4 behind;
     bool operator==(const PictureKey&) const = default;
 
     explicit PictureKey(const View& v)
@@ -58,37 +63,16 @@ struct PictureKey {
           sides(v.sides),
           tolerance(v.tolerance),
           seconds(v.seconds),
-          background(v.background) {}
+          behind(behindOf(v)) {}
 };
-
-// Sub-pixel offset of a sample, in pixels around the center; the first one is the center itself.
-// Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018.
-vec2 sampleOffset(int sample) {
-    const double n = sample;
-    const auto fraction = [](double x) { return static_cast<float>(x - std::floor(x)) - 0.5f; };
-    return {fraction(0.5 + n * 0.7548776662466927), fraction(0.5 + n * 0.5698402909980532)};
-}
 
 // Pixels. Where a frame that is bound by time has to deviate by more it is drawn with half as many
 // pixels each way, as few hairs have to be so wide that their pixels cost more than the others
 // would; and with all of them again where that deviates by less.
 constexpr float kBlurFrom = 4.0f, kSharpFrom = 0.5f;
-constexpr float kLeastUse = 0.6f;  // share of an error that is asked for
-constexpr float kWidest = 26.0f;   // pixels from the middle of a hair to its edge, and some
-
-struct Box {  // pixels
-    ivec2 lower{0}, upper{0};
-};
-
-Sight sightOf(const FrameData& frame) {
-    return {frame.viewProjection,     frame.eye, frame.forward, frame.pixelsPerMetre,
-            frame.perspective > 0.0f, frame.size};
-}
-
-Fineness finenessOf(const FrameData& frame) { return {frame.segments, frame.tolerance, false}; }
 
 void begin(PostPass& post, const View& view, const Box& box, ivec2 size) {
-    post.begin(view.background, vec2(box.lower) / vec2(size), vec2(box.upper) / vec2(size));
+    post.begin(behindOf(view), vec2(box.lower) / vec2(size), vec2(box.upper) / vec2(size));
 }
 
 // What was drawn of the hair.
@@ -104,46 +88,10 @@ bool isTimed(const Detail& detail) {
     return detail.milliseconds > 0.0f || detail.rule == Detail::Rule::flip;
 }
 
-// OpenGL 4.5 promises fewer storage buffers than the shaders read; every desktop driver has more.
-void requireCapabilities() {
-    if (epoxy_gl_version() < 45)
-        throw std::runtime_error(
-            "OpenGL 4.5 is needed, the driver offers " +
-            std::string(reinterpret_cast<const char*>(glGetString(GL_VERSION))));
-    const struct {
-        GLenum limit;
-        int needed;
-        const char* name;
-    } limits[] = {
-        {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 16, "storage buffers"},
-        {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 15, "storage buffers in a compute shader"},
-        {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, 6, "storage buffers in a vertex shader"},
-        {GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, 1, "storage buffers in a fragment shader"},
-        {GL_MAX_COMPUTE_IMAGE_UNIFORMS, 1, "images in a compute shader"},
-    };
-    for (const auto& [limit, needed, name] : limits) {
-        int offered = 0;
-        glGetIntegerv(limit, &offered);
-        if (offered < needed)
-            throw std::runtime_error("the graphics driver offers " + std::to_string(offered) + " " +
-                                     name + ", Pelage needs " + std::to_string(needed));
-    }
-}
-
 }  // namespace
 
 bool samePicture(const View& a, const View& b) {
     return PictureKey(a) == PictureKey(b) && a.samples == b.samples && a.posed == b.posed;
-}
-
-Light studioLight(const Camera& camera) {
-    Light light;
-    const vec3 toEye(std::sin(camera.yaw), 0.0f, std::cos(camera.yaw));
-    light.toKey = glm::normalize(-0.55f * camera.right() + vec3(0.0f, 0.85f, 0.0f) + 0.6f * toEye);
-    light.key = 1.45f;
-    light.sky = vec3(0.62f, 0.68f, 0.78f);
-    light.ground = vec3(0.26f, 0.23f, 0.20f);
-    return light;
 }
 
 struct Renderer::Parts {
@@ -155,11 +103,8 @@ struct Renderer::Parts {
     gl::Buffer frameBlock;
     Canvas fine, coarse;
     Pace finePace, coarsePace;
-    Fidelity fidelity;
-    FurInView furShown;
+    FlipBudget flipBudget;
     std::optional<Check> check;
-    bool refined = false;  // the picture began anew, as it had been too coarse
-    double allWork = 0.0;  // of the last sample, had it been drawn with all hairs
     ivec2 size{0};
     std::optional<PictureKey> key;
     int samples = 0;
@@ -177,9 +122,7 @@ struct Renderer::Parts {
         samples = 0;
     }
 
-    FrameData frameData(const Document& document, const View& view, int sample, ivec2 pixels) const;
     void drawSkin(const Canvas& canvas, const FrameData& frame, const View& view, float deviation);
-    Box boxOf(const Sight& sight, const Pelt& pelt) const;
     Choice choice(const View& view, const FrameData& frame, const Pelt& pelt, const InSight& seen);
     // What `choose` takes of what is seen, drawn into a canvas.
     template <typename Choose>
@@ -191,58 +134,7 @@ struct Renderer::Parts {
     void drawCheck(const Document& document, const View& view);
     void count(const InSight& seen, const Choice& chosen);
     void display(const View& view);
-    mat4 viewProjection(const View& view) const;
 };
-
-mat4 Renderer::Parts::viewProjection(const View& view) const {
-    const float radius = mirror.skin().radius + mirror.longestHair();
-    const float aspect = static_cast<float>(view.size.x) / static_cast<float>(view.size.y);
-    return view.camera.projection(aspect, mirror.skin().center(), radius) * view.camera.view();
-}
-
-FrameData Renderer::Parts::frameData(const Document& document, const View& view, int sample,
-                                     ivec2 pixels) const {
-    FrameData frame;
-    const Camera& camera = view.camera;
-    const vec2 offset = 2.0f * sampleOffset(sample) / vec2(pixels);
-    mat4 shift(1.0f);
-    shift[3] = vec4(offset, 0.0f, 1.0f);
-    frame.viewProjection = shift * viewProjection(view);
-    frame.eye = camera.eye();
-    frame.forward = camera.forward();
-    frame.perspective = camera.orthographic ? 0.0f : 1.0f;
-    const float halfHeight =
-        std::tan(0.5f * camera.fieldOfView) * (camera.orthographic ? camera.distance : 1.0f);
-    frame.pixelsPerMetre = 0.5f * static_cast<float>(pixels.y) / halfHeight;
-    frame.light = studioLight(camera);
-    const bool unit = view.overlay == Overlay::density || view.overlay == Overlay::mask;
-    frame.overlayRange = vec2(0.0f, unit ? 1.0f : std::max(mirror.longestHair(), 1e-12f));
-    frame.overlay = static_cast<uint>(view.overlay);
-    frame.segments = std::clamp(view.segments, 1u, 16u);
-    frame.size = pixels;
-    const Fur& fur = document.fur;
-    frame.overWidth = coatWidth(*document.skin, fur.hairs, fur.over);
-    frame.underWidth = coatWidth(*document.skin, fur.hairs, fur.under);
-    frame.hairsPerArea =
-        document.skin->area > 0.0 ? static_cast<float>(fur.hairs / document.skin->area) : 0.0f;
-    frame.coats = (view.showOver ? 1u : 0u) | (view.showUnder ? 2u : 0u);
-    frame.seconds = view.seconds;
-    frame.tolerance = std::max(view.tolerance, 0.01f);
-    frame.sides = view.sides;
-    frame.textured = mirror.textured() ? 1u : 0u;
-    return frame;
-}
-
-// The pixels that skin and hair may reach.
-Box Renderer::Parts::boxOf(const Sight& sight, const Pelt& pelt) const {
-    const Skin& skin = mirror.skin();
-    const float reach = std::max(pelt.reach() * mirror.longestHair(), pelt.clumpReach);
-    const Outline outline = outlineOf(sight, skin.lower, skin.upper, reach);
-    if (!outline.known) return {ivec2(0), sight.size};
-    const vec2 limit(sight.size);
-    return {ivec2(glm::clamp(glm::floor(outline.lower - kWidest), vec2(0.0f), limit)),
-            ivec2(glm::clamp(glm::ceil(outline.upper + kWidest), vec2(0.0f), limit))};
-}
 
 // Edges of the skin may be off by so many pixels of the canvas.
 void Renderer::Parts::drawSkin(const Canvas& canvas, const FrameData& frame, const View& view,
@@ -255,11 +147,11 @@ void Renderer::Parts::drawSkin(const Canvas& canvas, const FrameData& frame, con
     glDepthMask(GL_TRUE);
     glDisable(GL_SCISSOR_TEST);
     const float one = 1.0f;
-    const vec4 background(view.background, 1.0f);
+    const vec4 background = behindOf(view);
     glClearBufferfv(GL_COLOR, 0, &background.x);
     glClearBufferfv(GL_DEPTH, 0, &one);
     const Mirror::Surface& surface =
-        deviation > 0.0f ? mirror.surface(sightOf(frame), deviation) : mirror.surface();
+        deviation > 0.0f ? mirror.surface(sightOf(frame), deviation, view.waits) : mirror.surface();
     std::vector<Range> ranges;
     if (view.showSkin)
         ranges = view.culls ? inView(surface.patches, sightOf(frame)) : allOf(surface.patches);
@@ -274,12 +166,9 @@ Choice Renderer::Parts::choice(const View& view, const FrameData& frame, const P
     const Sight sight = sightOf(frame);
     const Fineness otherwise = finenessOf(frame);
     const bool budget = view.detail.rule == Detail::Rule::flip;
-    furShown = budget ? furInView(mirror.roots(), seen, sight, pelt) : FurInView{};
-    // All hairs are not the first try: it would tell nothing of the error of fewer.
-    const float least = refined ? 0.0f : kFinest;
-    const float allowed =
-        budget ? std::max(fidelity.deviationWithin(view.detail.limit, furShown), least) : 0.0f;
-    if (budget) allWork = workOf(seen, sight, pelt, {.rule = Detail::Rule::all}, 0.0f, otherwise);
+    const float allowed = budget ? flipBudget.deviationWithin(view.detail.limit, mirror.roots(),
+                                                              seen, sight, pelt, otherwise)
+                                 : 0.0f;
     float needed = 0.0f;  // to keep to the time
     if (view.detail.milliseconds > 0.0f) {
         const Pace& pace = blurred ? coarsePace : finePace;
@@ -289,7 +178,7 @@ Choice Renderer::Parts::choice(const View& view, const FrameData& frame, const P
     blurs = needed > (blurred ? kSharpFrom : kBlurFrom);
     const float deviation = std::max(allowed, needed);  // of the pixels that are drawn
     stats.deviation = blurred ? 2.0f * deviation : deviation;
-    stats.flip = fidelity.flipAt(stats.deviation, furShown);
+    stats.flip = budget ? flipBudget.flipAt(stats.deviation) : 0.0f;
     stats.flipMeasured = false;
     return choose(mirror.roots(), seen, sight, pelt, view.detail, deviation, otherwise);
 }
@@ -297,11 +186,11 @@ Choice Renderer::Parts::choice(const View& view, const FrameData& frame, const P
 template <typename Choose>
 Sample Renderer::Parts::draw(const Document& document, const View& view, const Canvas& canvas,
                              int sample, float skinDeviation, const Choose& choose) {
-    FrameData frame = frameData(document, view, sample, canvas.size);
+    FrameData frame = frameData(document, view, mirror, sample, canvas.size);
     const Pelt pelt = peltOf(document.fur, frame.coats, frame.overWidth, frame.underWidth,
                              document.skin->area, mirror.longestHair());
     drawSkin(canvas, frame, view, skinDeviation);
-    const Box box = boxOf(sightOf(frame), pelt);
+    const Box box = boxOf(sightOf(frame), pelt, mirror);
     const SkinDepth depth =
         strandPass.begin(canvas.depth, frameBlock, canvas.size, box.lower, box.upper);
     // The parts of a frame can only be told apart where each waits for the one before.
@@ -353,7 +242,7 @@ void Renderer::Parts::drawSample(const Document& document, const View& view) {
 void Renderer::Parts::drawShells(const Document& document, const View& view) {
     const auto start = Clock::now();
     blurred = false;
-    const FrameData frame = frameData(document, view, samples, fine.size);
+    const FrameData frame = frameData(document, view, mirror, samples, fine.size);
     const Pelt pelt = peltOf(document.fur, frame.coats, frame.overWidth, frame.underWidth,
                              document.skin->area, mirror.longestHair());
     stats = {};
@@ -367,7 +256,7 @@ void Renderer::Parts::drawShells(const Document& document, const View& view) {
     stats.hairsTotal = mirror.roots().roots.size();
     stats.layers = shellPass->layers();
     stats.textureBytes = shellPass->textureBytes();
-    if (samples == 0) begin(postPass, view, boxOf(sightOf(frame), pelt), fine.size);
+    if (samples == 0) begin(postPass, view, boxOf(sightOf(frame), pelt, mirror), fine.size);
     if (!single) postPass.accumulate(fine.color, samples == 0);
     stats.samples = ++samples;
     display(view);
@@ -380,7 +269,7 @@ void Renderer::Parts::drawShells(const Document& document, const View& view) {
 bool Renderer::Parts::mayCheck(const View& view) const {
     return view.detail.rule == Detail::Rule::flip && view.detail.milliseconds == 0.0f &&
            view.shells == Shells::none && !stats.flipMeasured &&
-           finePace.secondsOf(allWork) <= view.patience;
+           finePace.secondsOf(flipBudget.workOfAll()) <= view.patience;
 }
 
 void Renderer::Parts::drawCheck(const Document& document, const View& view) {
@@ -401,13 +290,7 @@ void Renderer::Parts::drawCheck(const Document& document, const View& view) {
     stats.flip = check->errorOf(postPass, fine);
     stats.flipMeasured = true;
     display(view);
-    const float asked = view.detail.limit;
-    const bool missed = stats.flip > asked;
-    const bool wastes = !refined && stats.flip < kLeastUse * asked && stats.deviation < kCoarsest;
-    if (!missed && !wastes) return;
-    fidelity.learn(asked, stats.flip, stats.deviation, furShown);
-    refined = missed;
-    samples = 0;
+    if (flipBudget.learn(view.detail.limit, stats.flip, stats.deviation)) samples = 0;
 }
 
 void Renderer::Parts::count(const InSight& seen, const Choice& chosen) {
@@ -427,7 +310,7 @@ void Renderer::Parts::count(const InSight& seen, const Choice& chosen) {
 
 void Renderer::Parts::display(const View& view) {
     const Canvas& canvas = blurred ? coarse : fine;
-    postPass.display(samples, canvas.color, view.lines, viewProjection(view), canvas.depth);
+    postPass.display(samples, canvas.color, view.lines, viewProjection(view, mirror), canvas.depth);
 }
 
 Renderer::Renderer() {
@@ -450,7 +333,7 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
     if (changed || !p.key || !(*p.key == key)) {
         p.samples = 0;
         if (p.check) p.check->samples = 0;
-        p.refined = false;
+        p.flipBudget.begin();
     }
     if (p.single && !single) p.samples = 0;
     if (p.key && p.key->detail != key.detail) {

@@ -38,19 +38,18 @@ struct View {
     uint layers = 0;                    // of shells, [0, 256]; 0 = as many as they need
     Detail detail;                      // how many hairs, and how fine
     bool coarsens = true;               // the skin too, where edges may be off; half as far
+    bool waits = true;                  // for coarser skin to be made; else draws finer till then
     bool culls = true;                  // leaves out early what cannot be seen; changes no picture
     int samples = 1;                    // frames that the still picture averages, [1, 1024]
     double patience = 1e9;  // s that a frame of all hairs may take, for the error to be measured
     vec3 background{0.58f, 0.63f, 0.69f};  // linear RGB
+    bool transparent = false;              // nothing is behind: the coverage is the alpha
     std::span<const OverlayLine> lines;
     bool operator==(const View&) const = delete;
 };
 
 // True if both give the same picture of a document, but for lines.
 bool samePicture(const View& a, const View& b);
-
-// A key light over the shoulder, so that the animal is lit from wherever it is looked at.
-Light studioLight(const Camera& camera);
 
 struct FrameStats {
     std::size_t hairsTotal = 0;  // that grow at density 1
@@ -90,7 +89,8 @@ public:
     // and uses most of what it may have.
     FrameStats draw(const Document& document, const View& view);
 
-    // The finished picture: RGBA8, display-encoded (sRGB), view.size, first row at the bottom.
+    // The finished picture: RGBA8, display-encoded (sRGB), alpha straight and 1 unless the view is
+    // transparent, view.size, first row at the bottom.
     unsigned texture() const;
     // The same as bytes, first row at the top; 4 bytes a pixel.
     std::vector<unsigned char> pixels() const;

@@ -19,13 +19,13 @@
 
 #include "app/measure/knobs.h"
 #include "app/render/frames.h"
+#include "app/render/framing.h"
 #include "app/render/headless.h"
 #include "app/render/reference_view.h"
 #include "core/animal.h"
 #include "core/flip.h"
 #include "core/pixels.h"
 #include "core/preset_file.h"
-#include "core/skin_query.h"
 #include "core/source.h"
 
 namespace pelage {
@@ -98,25 +98,6 @@ Document modelOf(const std::string& file, const std::string& preset, const std::
     return document;
 }
 
-Camera cameraAt(const Document& document, float share) {
-    float longest = 0.0f;
-    for (uint v = 0; v < document.skin->vertices.size(); ++v)
-        longest = std::max(longest, document.groom.fur[v].furLength);
-    Camera camera =
-        framed(document.skin->center(), document.skin->radius + longest, 0.61f, 0.21f, 1.0f);
-    if (share < 1.0f)
-        if (const auto hit = SkinQuery(document.skin).cast(camera.eye(), camera.forward()))
-            camera.target = hit->position;
-    camera.distance *= share;
-    return camera;
-}
-
-double meanFlip(const Image& image, const Image& reference) {
-    double sum = 0.0;
-    for (const float value : flip(image, reference).values) sum += static_cast<double>(value);
-    return sum / static_cast<double>(image.pixels.size());
-}
-
 void keepBudgets(Renderer& renderer, const Document& document, int side) {
     View view;
     view.size = ivec2(side);
@@ -127,11 +108,16 @@ void keepBudgets(Renderer& renderer, const Document& document, int side) {
         drawFinished(renderer, document, view);
         return linearImage({view.size, renderer.pixels()});
     };
+    const auto meanFlip = [](const Image& image, const Image& reference) {
+        return meanOf(flip(image, reference));
+    };
+    const Camera whole =
+        framedCamera(document, glm::radians(35.0f), glm::radians(12.0f), view.size);
     const auto milliseconds = [&] { return median(timeFrames(renderer, document, view, 5)); };
     std::printf("%7s %6s %9s | %6s %6s %9s | %7s %8s %6s\n", "view", "asked", "pixels off", "FLIP",
                 "to ref", "all to ref", "hairs", "ms", "ratio");
     for (const Nearness& nearness : nearnesses()) {
-        view.camera = cameraAt(document, nearness.share);
+        view.camera = zoomed(document, whole, nearness.share);
         ReferenceView traced = referenceView(view);
         traced.shadows = Shadows::live;
         ReferencePicture picture(scene, traced);

@@ -27,10 +27,10 @@ expect() {
     "$program" "$@" >out.txt 2>err.txt || status=$?
     [ "$status" = "$wanted" ] || fail "exit status $status, expected $wanted: pelage $* ($(cat err.txt))"
 }
-# Success: nothing on stderr.
+# Success: nothing on stderr but what was done in how many seconds.
 good() {
     expect 0 "$@"
-    [ ! -s err.txt ] || fail "stderr of pelage $*: $(cat err.txt)"
+    ! grep -qvE '^[^:]+(: [^:]+)?: [0-9]+\.[0-9] s$' err.txt || fail "stderr of pelage $*: $(cat err.txt)"
 }
 # good, and stdout is one JSON object for which every JavaScript expression over j is true.
 json() {
@@ -321,12 +321,23 @@ bad 1 'no/such/h\.png: ' compare plain.png plain.png --heat no/such/h.png
 bad 2 'compare .*"h\.jpg" does not end in \.png' compare plain.png plain.png --heat h.jpg
 bad 2 'compare .*REFERENCE is required' compare plain.png
 
+# Pictures without a background have the coverage as their alpha.
+for technique in polyline reference; do
+    json 'j.output' -- render --animal 2000 --hairs 3000 --size 64x64 --technique $technique \
+        --transparent -o t_$technique.png --json
+    json 'j.rmse === 0' 'j.coverage.areaRatio === 1' 'j.coverage.silhouette === 0' \
+        'j.coverage.bandPixels > 50 && j.coverage.bandPixels < 64 * 64 / 2' \
+        -- compare t_$technique.png t_$technique.png --json
+done
+json 'Math.abs(j.coverage.areaRatio - 1) < 0.03' 'j.coverage.silhouette < 0.1' \
+    -- compare t_polyline.png t_reference.png --json
+
 # Measure.
 json 'j.rows.length === 8' 'j.views.map(v => v.name).join() === "middle"' 'j.output === "new/r"' \
     'j.rows.every(r => r.view === "middle" && r.ms > 0 && r.msLeast <= r.msFrame)' \
     'j.rows.map(r => r.technique + " " + r.value).join() ===
         "hairs 1/8,hairs 1/4,hairs 1/2,hairs 1,samples 1,samples 4,samples 16,samples 64"' \
-    'j.rows.every(r => r.ms === r.samples * r.msFrame)' 'j.rows.some(r => r.front)' \
+    'j.rows.every(r => r.ms === r.samples * r.msFrame && r.framesTimed >= 2)' 'j.rows.some(r => r.front)' \
     'j.rows.every(r => r.drawing.noiseShare === r.drawing.noise / r.drawing.rmse)' \
     'j.rows.every(r => r.light.trusted === (r.light.noiseShare <= 0.2))' \
     'j.rows[3].drawing.rmse < j.rows[0].drawing.rmse' 'j.rows[0].hairsDrawn < j.rows[3].hairsDrawn' \
@@ -335,6 +346,7 @@ json 'j.rows.length === 8' 'j.views.map(v => v.name).join() === "middle"' 'j.out
     '/^20[0-9]{2}-[0-9]{2}-[0-9]{2}$/.test(j.date)' 'j.width === 64 && j.spp === 16' \
     -- measure --animal 2000 --hairs 3000 --views middle --techniques samples,hairs --size 64 \
     --spp 16 --repeat 2 -o new/r --json
+[ "$(grep -c '^middle: ' err.txt)" = 9 ] || fail "measure told stderr: $(cat err.txt)"
 for file in html csv json; do
     [ -s "new/r/report.$file" ] || fail "measure wrote no report.$file"
 done

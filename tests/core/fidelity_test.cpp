@@ -48,6 +48,21 @@ TEST(Fidelity, TheDeviationIsTheGreatestThatKeepsTheError) {
         }
 }
 
+TEST(Fidelity, NoErrorBuysMoreThanAPixelHoweverSmallTheFurIs) {
+    for (const float asked : {0.02f, 0.5f, 1.0f})
+        for (const float share : {1e-6f, 1e-3f, 0.1f}) {
+            Fidelity fidelity;
+            const FurInView fur{share, 0.02f};
+            // Nor where pictures turned out to have hardly an error.
+            for (int picture = 0; picture < 20; ++picture) {
+                const float deviation = fidelity.deviationWithin(asked, fur);
+                EXPECT_LE(deviation, 1.0f) << asked << " " << share;
+                fidelity.learn(asked, 1e-6f, deviation, fur);
+            }
+            EXPECT_EQ(fidelity.deviationWithin(asked, fur), 1.0f);
+        }
+}
+
 TEST(Fidelity, ASmallStepOfTheCameraChangesLittle) {
     const Fidelity fidelity;
     constexpr float kStep = 1.001f;

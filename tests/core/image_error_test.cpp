@@ -243,6 +243,12 @@ TEST(ImageErrors, LuminanceBiasIsSignedAndRelative) {
     EXPECT_EQ(imageErrors(black, gray).luminanceBias, -1.0);
 }
 
+TEST(Image, TheMeanOfAPlaneIsThatOfItsValues) {
+    EXPECT_EQ(meanOf({{2, 2}, {1.0f, 2.0f, 4.0f, 9.0f}}), 4.0);
+    // A sum in single precision would stay at 2^24.
+    EXPECT_EQ(meanOf({{1 << 13, 1 << 12}, std::vector<float>(std::size_t{1} << 25, 1.0f)}), 1.0);
+}
+
 TEST(ImageErrors, FlipIsGivenAsMapMeanAndPercentile) {
     const Image image = grays({27, 10}, 1.7f), reference = grays({27, 10}, 1.6f);
     const ImageErrors errors = imageErrors(image, reference);

@@ -99,6 +99,32 @@ TEST(Plot, PointsOfTheFrontAreRingedAndJoined) {
     EXPECT_EQ(countOf(match[1], ","), 2u);
 }
 
+TEST(Plot, TheLegendNamesTheFrontWhereThereIsOne) {
+    const Plot none = plotOf({{1, 4, "", false}, {3, 3, "", false}}),
+               some = plotOf({{1, 4, "", true}, {3, 3, "", false}});
+    EXPECT_EQ(countOf(svgOf(std::vector{none, none}, ""), "Pareto|#ffe08a"), 0u);
+    EXPECT_EQ(countOf(svgOf(std::vector{none, some}, ""), ">Pareto front<"), 1u);
+}
+
+TEST(Plot, LongTitlesAndFootersAreNotCut) {
+    // The letters of a sans serif face are at most 0.6 of its size wide in the mean.
+    const auto widthOf = [](const std::string& svg, const std::string& text) {
+        std::smatch match;
+        const bool found =
+            std::regex_search(svg, match, std::regex("font-size=\"([0-9.]+)\"[^>]*>" + text + "<"));
+        EXPECT_TRUE(found);
+        return found ? 0.6 * std::stod(match[1]) * static_cast<double>(text.size()) : 0.0;
+    };
+    Plot plot = plotOf({{1, 1, "", false}, {10, 10, "", false}});
+    for (const std::size_t letters : {1u, 20u, 60u, 200u}) {
+        plot.title = std::string(letters, 't');
+        const std::string footer(letters, 'f');
+        const std::string svg = svgOf(std::vector{plot}, footer);
+        EXPECT_LT(widthOf(svg, plot.title), 430.0) << letters;
+        EXPECT_LT(widthOf(svg, footer), 460.0) << letters;
+    }
+}
+
 TEST(Plot, ALineStandsAtTheFloorWhereItLiesInThePicture) {
     Plot plot = plotOf({{1, 1, "", false}, {10, 100, "", false}});
     plot.floorLabel = "floor";

@@ -269,6 +269,33 @@ TEST(Reference, ThePictureIsTheSameForAnyNumberOfThreadsAndCalls) {
     EXPECT_NE(pixels(1, 2, {8}), once);
 }
 
+TEST(Reference, FurtherPicturesByTheSameRaysAreAsTheyWouldBeAlone) {
+    const auto scene = std::make_shared<const ReferenceScene>(furryBall(500));
+    ReferenceView view = ofBall(24);
+    view.shadows = Shadows::live;
+    const std::vector<Lighting> more = {
+        {Shadows::traced, {}}, {Shadows::live, kStyleTube}, {Shadows::traced, kStyleRibbon}};
+    ReferencePicture all(scene, view, more);
+    all.add(4);
+    all.add(8);
+    ReferencePicture first(scene, view);
+    first.add(12);
+    EXPECT_EQ(all.pixels(), first.pixels());
+    for (std::size_t i = 0; i < more.size(); ++i) {
+        ReferenceView other = view;
+        other.shadows = more[i].shadows;
+        other.style = more[i].style;
+        ReferencePicture alone(scene, other);
+        alone.add(12);
+        EXPECT_EQ(all.pixels(i + 1), alone.pixels()) << i;
+        EXPECT_EQ(all.noise(vec3(0.2f), i + 1).color, alone.noise(vec3(0.2f)).color) << i;
+        EXPECT_NE(all.pixels(i + 1), all.pixels()) << i;
+        if (other.shadows == Shadows::traced) {
+            EXPECT_EQ(all.rays(), alone.rays()) << i;
+        }
+    }
+}
+
 TEST(Reference, ACancelledCallLeavesThePictureAsItWas) {
     ReferencePicture picture(std::make_shared<const ReferenceScene>(furryBall(500)), ofBall(48));
     picture.add(2);

@@ -103,7 +103,7 @@ TEST(Fidelity, APictureOfSmallFurIsMadeOfFewHairs) {
     const std::size_t all = drawFinished(renderer, document, view).hairsTried;
     view.detail = flipOf(0.05f);
     const FrameStats stats = drawFinished(renderer, document, view);
-    EXPECT_LT(20 * stats.hairsTried, all);
+    EXPECT_LT(10 * stats.hairsTried, all);
     EXPECT_EQ(stats.deviation, kCoarsest);  // and no coarser than that
 }
 

@@ -2,17 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "core/scatter.h"
+#include "core/srgb.h"
 #include "tests/gl/furry_scenes.h"
 
 namespace pelage {
 namespace {
 
 using test::ballView;
-using test::finish;
 using test::furryBall;
 using test::picture;
 using test::Pixels;
@@ -55,7 +56,7 @@ TEST(Renderer, AnotherDocumentOrViewBeginsThePictureAnew) {
     view.samples = 4;
     const auto expectAnew = [&](const char* what) {
         EXPECT_EQ(renderer.draw(document, view).samples, 1) << what;
-        EXPECT_EQ(finish(renderer, document, view).samples, 4) << what;
+        EXPECT_EQ(drawFinished(renderer, document, view).samples, 4) << what;
     };
     expectAnew("first");
     view.camera.yaw += 0.1f;
@@ -319,7 +320,7 @@ TEST(Renderer, SmallDocumentsAreDrawn) {
         View view = ballView(document, 48);
         view.samples = 2;
         Renderer renderer;
-        const FrameStats stats = finish(renderer, document, view);
+        const FrameStats stats = drawFinished(renderer, document, view);
         EXPECT_TRUE(stats.finished);
         EXPECT_EQ(stats.hairsDrawn > 0, c.hairy);
         const Pixels pixels = renderer.pixels();
@@ -340,6 +341,39 @@ TEST(Renderer, TheBackgroundIsDisplayEncoded) {
     EXPECT_NEAR(pixels[1], 127.5, 1.0);
     EXPECT_EQ(pixels[2], 255);
     EXPECT_EQ(pixels[3], 255);
+}
+
+TEST(Renderer, ATransparentPictureLaidOverTheBackgroundIsTheOpaqueOne) {
+    const Document document = furryBall(2000);
+    Renderer renderer;
+    for (const int samples : {1, 7, 16}) {
+        View view = ballView(document, 48);
+        view.samples = samples;
+        const Pixels opaque = picture(renderer, document, view);
+        view.transparent = true;
+        const Pixels seen = picture(renderer, document, view);
+        std::size_t between = 0;
+        int worst = 0;
+        for (std::size_t p = 0; p < seen.size(); p += 4) {
+            const float alpha = static_cast<float>(seen[p + 3]) / 255.0f;
+            // So many samples covered the pixel.
+            EXPECT_NEAR(alpha * static_cast<float>(samples),
+                        std::round(alpha * static_cast<float>(samples)), 0.04f);
+            between += alpha > 0.0f && alpha < 1.0f;
+            EXPECT_EQ(opaque[p + 3], 255);
+            for (std::size_t c = 0; c < 3; ++c) {
+                if (seen[p + c] == 255) continue;  // light over 1 is cut off
+                const float own = linearFromSrgb(static_cast<float>(seen[p + c]) / 255.0f);
+                const float over =
+                    alpha * own + (1.0f - alpha) * view.background[static_cast<int>(c)];
+                const auto byte = static_cast<int>(std::lround(255.0f * srgbFromLinear(over)));
+                worst = std::max(worst, std::abs(byte - opaque[p + c]));
+            }
+        }
+        EXPECT_LE(worst, 1) << samples;
+        EXPECT_EQ(between > 0, samples > 1);
+        EXPECT_EQ(seen[3], 0) << "nothing is in the corner";
+    }
 }
 
 TEST(Renderer, TextureColorArrivesAtTheHairTheRightWayUp) {

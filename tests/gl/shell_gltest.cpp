@@ -242,7 +242,7 @@ TEST(Shells, CoverWhatStrandsCoverInTheSameColor) {
             const double strands = mean(covered(renderer, document, view));
             std::printf("%u hairs, lean %.1f: shells cover %.4f, strands %.4f\n", hairs,
                         static_cast<double>(lean), shells, strands);
-            EXPECT_NEAR(shells, strands, 0.04);
+            EXPECT_NEAR(shells, strands, 0.03);
         }
         Document document = patch(0, 1.0f, lean);  // both coats as they are at first, over the skin
         document.fur = defaultFur();
@@ -254,7 +254,7 @@ TEST(Shells, CoverWhatStrandsCoverInTheSameColor) {
         const double strands = mean(test::linear(test::picture(renderer, document, view)));
         std::printf("lean %.1f: shells are %.4f as bright as strands\n", static_cast<double>(lean),
                     shells / strands);
-        EXPECT_NEAR(shells / strands, 1.0, 0.05);
+        EXPECT_NEAR(shells / strands, 1.0, 0.04);
     }
 }
 
