@@ -44,10 +44,12 @@ Strand gathered(const Growth& growth, uint i) {
 }
 
 // The curves of a cluster from number `next` on. Coats that do not shape their hair, or have no
-// rods, have functions of their own, in which the compiler sees that the spine is all there is.
+// rods, have functions of their own, in which the compiler sees that the spine is all there is;
+// flat, so that it sees through all calls which parts of a hair nobody asks for.
 template <bool kShaped, bool kRod>
-void growCluster(const Growth& growth, const Cluster& cluster, const std::vector<char>& growing,
-                 std::size_t next, Curves& curves) {
+[[gnu::flatten]] void growCluster(const Growth& growth, const Cluster& cluster,
+                                  const std::vector<char>& growing, std::size_t next,
+                                  Curves& curves) {
     const uint points = curves.pointsPerHair;
     const float step = 1.0f / static_cast<float>(points - 1);
     for (uint k = 0; k < cluster.count; ++k) {

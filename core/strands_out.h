@@ -5,6 +5,7 @@
 
 #include "document.h"
 #include "scatter.h"
+#include "unset.h"
 
 namespace pelage {
 
@@ -24,7 +25,7 @@ Strand grownStrand(const Growth& growth, uint root);
 
 struct Curves {
     uint pointsPerHair = 0;        // segments + 1
-    std::vector<vec3> points;      // world; pointsPerHair for each hair, root first
+    UnsetVector<vec3> points;      // world; pointsPerHair for each hair, root first
     std::vector<float> rootWidth;  // m, one per hair
     std::vector<uint> root;        // index into Roots::roots, one per hair
 };

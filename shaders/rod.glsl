@@ -7,6 +7,7 @@
 
 const float kUprightBelow = 0.52359878f;  // rad from up; below it the load fades to 0 at upright
 const float kContactMargin = 0.001f;      // rad that the tip stays above the skin
+const float kNearSkin = 0.1f;  // lengths; where the tip is higher, no point of the hair is near
 
 #ifndef __cplusplus
 #ifdef RODS
@@ -29,14 +30,10 @@ float angleOf(float x, float y) {
     float a = abs(x);
     float q = min(a, y) / max(max(a, y), 1e-30f);
     float z = q * q;
-    float p = 0.0028662257f;
-    p = p * z - 0.0161657367f;
-    p = p * z + 0.0429096138f;
-    p = p * z - 0.0752896400f;
-    p = p * z + 0.1065626393f;
-    p = p * z - 0.1420889944f;
-    p = p * z + 0.1999355085f;
-    p = p * z - 0.3333314528f;
+    float zz = z * z;  // in pairs, which do not wait for each other
+    float high = (0.1065626393f - 0.0752896400f * z) + (0.0429096138f - 0.0161657367f * z) * zz +
+                 0.0028662257f * (zz * zz);
+    float p = (-0.3333314528f + 0.1999355085f * z) + (-0.1420889944f + high * z) * zz;
     p = q + q * z * p;
     if (y > a) p = 1.5707963f - p;
     return x < 0.0f ? 3.1415927f - p : p;
@@ -62,7 +59,7 @@ float rodRow(float load) { return load / (load + 10.0f) * ((kMostLoad + 10.0f) /
 
 struct RodPlace {  // between four nodes of the table
     uint low;      // first texel of the least of them
-    float x, y;    // shares of the next
+    vec4 shares;   // of that one, the next load, the next angle, both
 };
 
 RodPlace rodPlace(float column, float row) {
@@ -72,16 +69,17 @@ RodPlace rodPlace(float column, float row) {
     uint j = min(uint(y), kRodNodes - 2u);
     RodPlace at;
     at.low = kRodTexels * (i * kRodNodes + j);
-    at.x = x - float(i);
-    at.y = y - float(j);
+    x -= float(i);
+    y -= float(j);
+    at.shares = vec4((1.0f - x) * (1.0f - y), (1.0f - x) * y, x * (1.0f - y), x * y);
     return at;
 }
 
 vec4 rodValue(RodPlace at, uint k) {
     uint low = at.low + k;
     uint high = low + kRodTexels * kRodNodes;
-    return mix(mix(rodTexel(low), rodTexel(low + kRodTexels), at.y),
-               mix(rodTexel(high), rodTexel(high + kRodTexels), at.y), at.x);
+    return at.shares.x * rodTexel(low) + at.shares.y * rodTexel(low + kRodTexels) +
+           at.shares.z * rodTexel(high) + at.shares.w * rodTexel(high + kRodTexels);
 }
 
 mat3x4 rodCurveAt(RodPlace at) {
@@ -157,29 +155,44 @@ float rodLength(mat3x4 rod) {
     return sum;
 }
 
+// The load, as a row of the table, at which the tip of the hair s, whose root is at this angle from
+// up, reaches the skin.
+float rodContact(Strand s, float angle, float column) {
+    // From the root's direction down to the skin, in the plane of the hair.
+    float clear = angleOf(-dot(s.end, s.normal), dot(s.weightless, s.normal)) - kContactMargin;
+    float share = clamp(clear / max(3.1415927f - angle, 1e-6f), 0.0f, 1.0f);
+    return rodValue(rodPlace(column, share), 3u).y;
+}
+
 // The hair s, that leaves the skin along its weightless direction, as a rod under this load, where
-// `pull` pulls and `fallback` is a direction along the skin. Of all equilibria the one into which
-// it hangs; hair that stands nearly upright is stiffer than nature, so that no jump is seen where it
-// could fall to either side; and a load that would push the tip through the skin is lessened.
-Strand bendRod(Strand s, float load, vec3 pull, vec3 fallback) {
+// `pull` pulls and `painted` is where it is combed. Of all equilibria the one into which it hangs;
+// hair that stands nearly upright is stiffer than nature, so that no jump is seen where it could
+// fall to either side; and a load that would push the tip through the skin is lessened.
+Strand bendRod(Strand s, float load, vec3 pull, vec3 painted) {
     vec3 up = safeUnit(-pull, s.normal);
     float along = dot(s.weightless, up);
     vec3 level = along * s.weightless - up;  // across the root, downwards
     float across = sqrt(dot(level, level));
-    s.end = safeUnit(across > 1e-6f ? level : fallback - dot(fallback, s.weightless) * s.weightless,
-                     anyTangent(s.weightless));
+    if (across > 1e-6f) {
+        s.end = level * (1.0f / across);
+    } else {
+        vec3 fallback = combedTangent(painted, s.normal);
+        s.end = safeUnit(fallback - dot(fallback, s.weightless) * s.weightless,
+                         anyTangent(s.weightless));
+    }
     float angle = angleOf(along, across);
     float column = rodColumn(angle);
     float row = rodRow(load * rodFade(angle));
-    // From the root's direction down to the skin, in the plane of the hair.
-    float clear = angleOf(-dot(s.end, s.normal), dot(s.weightless, s.normal)) - kContactMargin;
-    float share = clamp(clear / max(3.1415927f - angle, 1e-6f), 0.0f, 1.0f);
-    row = min(row, rodValue(rodPlace(column, share), 3u).y);
-
     RodPlace at = rodPlace(column, row);
     s.rod = rodCurveAt(at);
+    vec2 tip = rodWeights(s.rod, 1.0f);
+    if (tip.x * dot(s.weightless, s.normal) + tip.y * dot(s.end, s.normal) < kNearSkin) {
+        s.nearSkin = 1u;
+        at = rodPlace(column, min(row, rodContact(s, angle, column)));
+        s.rod = rodCurveAt(at);
+    }
     if (s.style == kStyleLine) {
-        vec2 tip = rodWeights(s.rod, 1.0f);
+        tip = rodWeights(s.rod, 1.0f);
         vec3 straight = safeUnit(tip.x * s.weightless + tip.y * s.end, s.weightless);
         s.end = safeUnit(s.end - dot(s.end, straight) * straight, anyTangent(straight));
         s.weightless = straight;

@@ -120,6 +120,15 @@ float fadedWidth(float rank, float lod, float fade) {
 
 bool isOvercoat(uint id, float share) { return rand01(id + kDrawCoat) < share; }
 
+// The direction along the skin of unit normal n in which the hair is combed; any where it is not.
+vec3 combedTangent(vec3 painted, vec3 n) {
+    vec3 tangent = painted - dot(painted, n) * n;
+    // Shorter than this it is what rounding left, which may point into the skin.
+    float least = 1e-6f * max(1.0f, dot(painted, painted));
+    if (!finite3(tangent) || !(dot(tangent, tangent) > least)) tangent = anyTangent(n);
+    return safeUnit(tangent, n);
+}
+
 #include "rod.glsl"
 
 // The direction in which a hair leaves the skin: between the normal and the painted direction,
@@ -175,27 +184,12 @@ Strand bendStrand(vec3 root, vec3 n, vec3 painted, float spineLength, Coat coat,
                   vec3 pull) {
     vec3 w = weightlessDirection(n, painted, coat, id);
     float c = max(0.0f, dot(w, n));
-    float floppiness = within(1.0f - coat.stiffness, 0.02f, 1.0f);
-    float load = floppiness * c;
-
-    vec3 tangent = painted - dot(painted, n) * n;
-    // Shorter than this it is what rounding left, which may point into the skin.
-    float least = 1e-6f * max(1.0f, dot(painted, painted));
-    if (!finite3(tangent) || !(dot(tangent, tangent) > least)) tangent = anyTangent(n);
-    tangent = safeUnit(tangent, n);
-    vec3 end = safeUnit(w + load * (pull + (0.02f * sqrt(dot(pull, pull))) * tangent), tangent);
-    if (coat.style == kStyleLine && !isRodCoat(coat)) w = end;
-    float m = max(0.0f, 1.0f - dot(w, end));
+    float strength = sqrt(dot(pull, pull));
 
     Strand s;
     s.origin = root;
     s.spineLength = spineLength;
     s.weightless = w;
-    s.end = end;
-    s.scale = spineLength / arcOfUnitCurve(m);
-    vec3 bend = cross(end, w);
-    s.binormal = dot(bend, bend) > 1e-12f ? safeUnit(bend, anyTangent(w))
-                                          : safeUnit(cross(tangent, w), anyTangent(w));
     float twist = 3.1415927f * within(coat.normalRandomness, 0.0f, 1.0f) *
                   (2.0f * rand01(id + kDrawTwist) - 1.0f);
     s.cosTwist = cos(twist);
@@ -220,7 +214,19 @@ Strand bendStrand(vec3 root, vec3 n, vec3 painted, float spineLength, Coat coat,
     s.guideRod = s.rod;
     s.droop = kDroopPaper;
     s.rodBend = 0.0f;
-    if (isRodCoat(coat)) s = bendRod(s, rodLoad(coat, c, sqrt(dot(pull, pull))), pull, tangent);
+    s.nearSkin = 0u;
+    if (isRodCoat(coat)) {
+        s = bendRod(s, rodLoad(coat, c, strength), pull, painted);
+    } else {
+        float load = within(1.0f - coat.stiffness, 0.02f, 1.0f) * c;
+        vec3 tangent = combedTangent(painted, n);
+        s.end = safeUnit(w + load * (pull + (0.02f * strength) * tangent), tangent);
+        if (coat.style == kStyleLine) s.weightless = s.end;
+        s.scale = spineLength / arcOfUnitCurve(max(0.0f, 1.0f - dot(s.weightless, s.end)));
+        vec3 bend = cross(s.end, s.weightless);
+        s.binormal = safeUnit(dot(bend, bend) > 1e-12f ? bend : cross(tangent, s.weightless),
+                              anyTangent(s.weightless));
+    }
     if (coat.curlRadius > 0.0f) {
         float radius = within(coat.curlRadius, 0.0f, 0.5f);
         float longer = arcOfHelix(radius, s.curlTurns);
@@ -356,7 +362,10 @@ vec3 shapedOffset(Strand s, float t) {
 vec3 spinePoint(Strand s, float t) {
     vec2 k = strandWeights(s, t);
     vec3 p = s.scale * (k.x * s.weightless + k.y * s.end);
-    if (isRod(s)) p = p - min(0.0f, dot(p, s.normal)) * s.normal;
+    if (s.nearSkin != 0u) {
+        float above = k.x * dot(s.weightless, s.normal) + k.y * dot(s.end, s.normal);
+        p = p - (s.scale * min(0.0f, above)) * s.normal;
+    }
     return s.origin + p;
 }
 

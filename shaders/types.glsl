@@ -124,8 +124,8 @@ struct Strand {        // one hair, ready to be evaluated; world space
     mat3x4 guideRod;   // that of the guide
     uint droop;        // kDroop...
     float rodBend;     // greatest curvature over t of a rod of scale 1
+    uint nearSkin;     // 1 for a rod that may dip below the skin's plane
     uint pad0;
-    uint pad1;
 };
 
 struct Light {    // what lights the animal

@@ -26,9 +26,6 @@ public:
 
     std::vector<unsigned char> pixels() const;  // of picture(), RGBA8, first row at the top
     const gl::Texture& picture() const { return picture_; }
-    std::size_t bytes() const {
-        return static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * 20;
-    }
 
 private:
     vec2 pixel() const { return 1.0f / vec2(size_); }

@@ -32,10 +32,10 @@ void setBoth(Document& document, float Coat::*parameter, float value) {
 FrameStats expectSame(Renderer& renderer, const Document& document, View view, const char* name) {
     view.culls = false;
     const auto whole = test::picture(renderer, document, view);
-    const FrameStats all = test::finish(renderer, document, view);
+    const FrameStats all = drawFinished(renderer, document, view);
     view.culls = true;
     const auto culled = test::picture(renderer, document, view);
-    const FrameStats some = test::finish(renderer, document, view);
+    const FrameStats some = drawFinished(renderer, document, view);
     EXPECT_EQ(whole, culled) << name;
     EXPECT_EQ(all.hairsDrawn, some.hairsDrawn) << name;
     EXPECT_EQ(all.segmentsDrawn, some.segmentsDrawn) << name;

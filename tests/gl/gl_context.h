@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/render/gl.h"
+#include "app/render/frames.h"
 #include "app/render/headless.h"
 #include "app/render/mirror.h"
 #include "app/render/program.h"
@@ -80,16 +81,8 @@ std::vector<T> uploaded(const Mirror& mirror, GLuint binding, std::size_t count)
 
 using Pixels = std::vector<unsigned char>;  // RGBA8, as Renderer::pixels
 
-// Draws until the picture is finished.
-inline FrameStats finish(Renderer& renderer, const Document& document, const View& view) {
-    FrameStats stats;
-    do stats = renderer.draw(document, view);
-    while (!stats.finished);
-    return stats;
-}
-
 inline Pixels picture(Renderer& renderer, const Document& document, const View& view) {
-    finish(renderer, document, view);
+    drawFinished(renderer, document, view);
     return renderer.pixels();
 }
 

@@ -166,8 +166,8 @@ const std::vector<Field> kStrand{FIELD(Strand, origin),
                                  FIELD(Strand, guideRod),
                                  FIELD(Strand, droop),
                                  FIELD(Strand, rodBend),
-                                 FIELD(Strand, pad0),
-                                 FIELD(Strand, pad1)};
+                                 FIELD(Strand, nearSkin),
+                                 FIELD(Strand, pad0)};
 const std::vector<Field> kLight{FIELD(Light, toKey), FIELD(Light, key),    FIELD(Light, sky),
                                 FIELD(Light, pad0),  FIELD(Light, ground), FIELD(Light, pad1)};
 

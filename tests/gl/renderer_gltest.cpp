@@ -14,7 +14,6 @@ namespace pelage {
 namespace {
 
 using test::ballView;
-using test::finish;
 using test::furryBall;
 using test::picture;
 using test::Pixels;
@@ -57,7 +56,7 @@ TEST(Renderer, AnotherDocumentOrViewBeginsThePictureAnew) {
     view.samples = 4;
     const auto expectAnew = [&](const char* what) {
         EXPECT_EQ(renderer.draw(document, view).samples, 1) << what;
-        EXPECT_EQ(finish(renderer, document, view).samples, 4) << what;
+        EXPECT_EQ(drawFinished(renderer, document, view).samples, 4) << what;
     };
     expectAnew("first");
     view.camera.yaw += 0.1f;
@@ -321,7 +320,7 @@ TEST(Renderer, SmallDocumentsAreDrawn) {
         View view = ballView(document, 48);
         view.samples = 2;
         Renderer renderer;
-        const FrameStats stats = finish(renderer, document, view);
+        const FrameStats stats = drawFinished(renderer, document, view);
         EXPECT_TRUE(stats.finished);
         EXPECT_EQ(stats.hairsDrawn > 0, c.hairy);
         const Pixels pixels = renderer.pixels();
