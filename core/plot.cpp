@@ -14,8 +14,8 @@ namespace pelage {
 namespace {
 
 // Okabe and Ito, "Color Universal Design", 2008: told apart by people of all kinds of sight.
-constexpr std::array kColors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                "#a07000", "#56b4e9", "#000000", "#808080"};
+constexpr std::array kColors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#a07000",
+                                "#56b4e9", "#000000", "#808080", "#7b3fb0"};
 constexpr double kWide = 460.0, kHigh = 360.0;  // of one plot
 constexpr double kLeft = 62.0, kRight = 30.0, kTop = 34.0, kBottom = 46.0, kLegend = 66.0;
 
