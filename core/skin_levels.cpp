@@ -9,6 +9,7 @@
 #include <span>
 
 #include "morton.h"
+#include "nearest_in_triangle.h"
 
 namespace pelage {
 namespace {
@@ -54,24 +55,10 @@ Lists sourcesOf(const Skin& skin) {
     });
 }
 
-// Ericson, "Real-Time Collision Detection", 2005, 5.1.5.
-vec3 nearestOf(vec3 a, vec3 b, vec3 c, vec3 p) {
-    const vec3 ab = b - a, ac = c - a;
-    const float d1 = glm::dot(ab, p - a), d2 = glm::dot(ac, p - a);
-    if (d1 <= 0.0f && d2 <= 0.0f) return a;
-    const float d3 = glm::dot(ab, p - b), d4 = glm::dot(ac, p - b);
-    if (d3 >= 0.0f && d4 <= d3) return b;
-    const float onAb = d1 * d4 - d3 * d2;
-    if (onAb <= 0.0f && d1 >= 0.0f && d3 <= 0.0f) return a + d1 / (d1 - d3) * ab;
-    const float d5 = glm::dot(ab, p - c), d6 = glm::dot(ac, p - c);
-    if (d6 >= 0.0f && d5 <= d6) return c;
-    const float onAc = d5 * d2 - d1 * d6;
-    if (onAc <= 0.0f && d2 >= 0.0f && d6 <= 0.0f) return a + d2 / (d2 - d6) * ac;
-    const float onBc = d3 * d6 - d5 * d4;
-    if (onBc <= 0.0f && d4 >= d3 && d5 >= d6)
-        return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
-    const float sum = onBc + onAc + onAb;
-    return sum > 0.0f ? a + onAc / sum * ab + onAb / sum * ac : a;
+float distanceTo(vec3 a, vec3 b, vec3 c, vec3 p) {
+    const glm::dvec3 from(a - p), ab(b - a), ac(c - a);
+    const auto [u, v] = nearestInTriangle(from, glm::dvec3(b - p), glm::dvec3(c - p));
+    return static_cast<float>(glm::length(from + u * ab + v * ac));
 }
 
 // The vertices that stand for those of their clusters, one to a cell and side of the skin.
@@ -204,9 +191,8 @@ std::vector<char> failing(const Skin& skin, const Clusters& clusters, float erro
         const vec3 p = skin.vertices[v].position;
         const auto within = [&](uint i) {
             const uvec3 t = clusters(triangles[i]);
-            const vec3 nearest = nearestOf(skin.vertices[t.x].position, skin.vertices[t.y].position,
-                                           skin.vertices[t.z].position, p);
-            return glm::distance(nearest, p) <= error;
+            return distanceTo(skin.vertices[t.x].position, skin.vertices[t.y].position,
+                              skin.vertices[t.z].position, p) <= error;
         };
         missed[v] = !std::ranges::any_of(around.of(clusters[v]), within);
     });

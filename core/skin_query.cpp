@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "embree_skin.h"
+#include "nearest_in_triangle.h"
 
 namespace pelage {
 namespace {
@@ -96,40 +97,13 @@ vec3 hairNormal(const Skin& skin, uvec3 corners) {
     return glm::dot(normal, hair) < 0.0f ? -normal : normal;
 }
 
-struct Weights {
-    double u = 0.0, v = 0.0;  // of the second and third corner, each >= 0, sum <= 1
-};
-
-// Of the point of a triangle nearest to the origin (after Ericson, Real-Time Collision Detection,
-// 2005, section 5.1.5).
-Weights nearestInTriangle(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
-    const glm::dvec3 ab = b - a, ac = c - a;
-    const double d1 = -glm::dot(ab, a), d2 = -glm::dot(ac, a);
-    if (d1 <= 0.0 && d2 <= 0.0) return {0.0, 0.0};
-    const double d3 = -glm::dot(ab, b), d4 = -glm::dot(ac, b);
-    if (d3 >= 0.0 && d4 <= d3) return {1.0, 0.0};
-    const double ofC = d1 * d4 - d3 * d2;
-    if (ofC <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return {d1 / (d1 - d3), 0.0};
-    const double d5 = -glm::dot(ab, c), d6 = -glm::dot(ac, c);
-    if (d6 >= 0.0 && d5 <= d6) return {0.0, 1.0};
-    const double ofB = d5 * d2 - d1 * d6;
-    if (ofB <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return {0.0, d2 / (d2 - d6)};
-    const double ofA = d3 * d6 - d5 * d4;
-    if (ofA <= 0.0 && d4 >= d3 && d5 >= d6) {
-        const double v = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-        return {1.0 - v, v};
-    }
-    const double sum = ofA + ofB + ofC;
-    return {ofB / sum, ofC / sum};
-}
-
 struct NearestSearch {
     const Skin* skin;
     glm::dvec3 point;
     vec3 facing;
     double square = std::numeric_limits<double>::infinity();  // m^2, of the distance so far
     uint triangle = 0;
-    Weights weights{};
+    TriangleWeights weights{};
 };
 
 // Keeps the triangle if it is nearer, or as near and earlier, and narrows the search to it.
@@ -144,7 +118,7 @@ bool noteNearest(RTCPointQueryFunctionArguments* arguments) {
     const glm::dvec3 a = glm::dvec3(skin.vertices[corners.x].position) - search.point;
     const glm::dvec3 b = glm::dvec3(skin.vertices[corners.y].position) - search.point;
     const glm::dvec3 c = glm::dvec3(skin.vertices[corners.z].position) - search.point;
-    const Weights weights = nearestInTriangle(a, b, c);
+    const TriangleWeights weights = nearestInTriangle(a, b, c);
     const glm::dvec3 away = a + weights.u * (b - a) + weights.v * (c - a);
     const double square = glm::dot(away, away);
     if (!(square < search.square || (square == search.square && triangle < search.triangle)))
