@@ -17,7 +17,8 @@
 #include "shell_hair.glsl"
 #include "shell_shade.glsl"
 
-layout(std430, binding = 7) readonly buffer Indices { uint indices[]; };  // of corners, by triangle
+layout(binding = 4) uniform usamplerBuffer cornerRows;  // a Corner each
+layout(binding = 5) uniform usamplerBuffer indices;     // of corners, by triangle
 layout(binding = 2) uniform usampler2D found;  // shell_over.frag
 layout(early_fragment_tests) in;
 layout(location = 0) out vec4 color;   // alpha 1 = hair, 0.5 = none down to the skin
@@ -195,14 +196,19 @@ vec3 sharesAt(vec4 a, vec4 b, vec4 c) {
     return sum > 0.0 ? share / sum : vec3(1.0 / 3.0);
 }
 
+Corner cornerAt(int index) {
+    uvec4 row = texelFetch(cornerRows, int(texelFetch(indices, index).r));
+    return Corner(uintBitsToFloat(row.xy), row.z, row.w);
+}
+
 Ground groundBelow(uvec2 triangle) {
-    uint corner = 3u * (triangle.x - 1u);
-    Corner p = corners[indices[corner]];
-    Corner q = corners[indices[corner + 1u]];
-    Corner r = corners[indices[corner + 2u]];
-    ShellVertex a = shellVertices[p.skinVertex];
-    ShellVertex b = shellVertices[q.skinVertex];
-    ShellVertex c = shellVertices[r.skinVertex];
+    int corner = 3 * int(triangle.x - 1u);
+    Corner p = cornerAt(corner);
+    Corner q = cornerAt(corner + 1);
+    Corner r = cornerAt(corner + 2);
+    ShellVertex a = shellVertex(p.skinVertex);
+    ShellVertex b = shellVertex(q.skinVertex);
+    ShellVertex c = shellVertex(r.skinVertex);
     vec3 share = sharesAt(frame.viewProjection * vec4(outerOf(a), 1.0),
                           frame.viewProjection * vec4(outerOf(b), 1.0),
                           frame.viewProjection * vec4(outerOf(c), 1.0));

@@ -1,6 +1,16 @@
 // shell_ground.glsl -- what a place on the skin knows of its fur.
 
-layout(std430, binding = 8) readonly buffer ShellVertices { ShellVertex shellVertices[]; };
+// Read as textures: software is far slower at storage buffers.
+layout(binding = 3) uniform samplerBuffer shellVertices;  // the rows of a ShellVertex
+
+ShellVertex shellVertex(uint number) {
+    int i = 11 * int(number);
+    vec4 row[11];
+    for (int k = 0; k < 11; ++k) row[k] = texelFetch(shellVertices, i + k);
+    return ShellVertex(row[0].xyz, row[0].w, row[1].xyz, row[1].w, row[2].xyz, row[2].w, row[3].xyz,
+                       row[3].w, row[4].xyz, row[4].w, row[5].xyz, row[5].w, row[6].xyz, row[6].w,
+                       row[7].xyz, row[7].w, row[8].xyz, row[8].w, row[9].xyz, 0u, row[10]);
+}
 
 struct Ground {     // in the space of the skin at rest, unless world is said
     vec3 outer;     // m, world, where the fur begins

@@ -10,6 +10,7 @@ struct Hit {
 
 vec3 radianceOf(Hit hit, Ground g) {
     vec3 n = g.normal;
+    uint id = pcg(hit.id);
     Coat coat = fur.under;
     if (hit.over) coat = fur.over;
     Strand s;
@@ -17,11 +18,11 @@ vec3 radianceOf(Hit hit, Ground g) {
     s.end = hit.over ? g.overB : g.underB;
     s.binormal = safeUnit(hit.over ? g.overAcross : g.underAcross, anyTangent(n));
     float twist = 3.1415927 * within(coat.normalRandomness, 0.0, 1.0) *
-                  (2.0 * rand01(hit.id + kDrawTwist) - 1.0);
+                  (2.0 * rand01(id + kDrawTwist) - 1.0);
     s.cosTwist = cos(twist);
     s.sinTwist = sin(twist);
     s.normal = n;
-    s.tone = 1.0 + within(coat.colorNoise, 0.0, 1.0) * (2.0 * rand01(hit.id + kDrawTone) - 1.0);
+    s.tone = 1.0 + within(coat.colorNoise, 0.0, 1.0) * (2.0 * rand01(id + kDrawTone) - 1.0);
     s.style = coat.style;
     s.clump = 0.0;
     s.curl = 0.0;

@@ -1,6 +1,6 @@
 // shell_show.frag -- what was marched, into the picture; where no hair was met the pixel is marked.
 layout(binding = 2) uniform sampler2D colors;  // of shell.frag
-layout(binding = 3) uniform sampler2D depths;
+layout(binding = 7) uniform sampler2D depths;
 layout(r8ui, binding = 0) uniform writeonly uimage2D seen;  // 1 where a ray came down to the skin
 out vec4 color;
 

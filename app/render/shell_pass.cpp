@@ -19,7 +19,7 @@ namespace {
 
 // As in shaders/shell_hair.glsl.
 constexpr uint kTileHairs = 1024, kTileSide = 256, kTileLevels = 9;
-constexpr float kTileExcess = 1.28f;
+constexpr float kTileExcess = 1.45f;
 
 // As in shaders/shell_data.glsl.
 struct ShellCorner {
@@ -120,6 +120,7 @@ void ShellPass::makeTile() {
             texels.emplace_back(packed(map, texel.nearest), packed(map, texel.next));
     }
     tile_.upload(std::span<const uvec2>(texels));
+    tileRows_ = gl::makeTexture(tile_, GL_RG32UI);
 }
 
 void ShellPass::updateSkin(const Mirror& mirror, const Skin& atRest) {
@@ -128,6 +129,9 @@ void ShellPass::updateSkin(const Mirror& mirror, const Skin& atRest) {
     const std::vector<Curvature> curvatures = curvaturesOf(*shown_);
     curvatures_.upload(std::span<const Curvature>(curvatures));
     vertices_.resize(curvatures.size() * kShellVertexBytes);
+    vertexRows_ = gl::makeTexture(vertices_, GL_RGBA32F);
+    cornerRows_ = gl::makeTexture(mirror.corners(), GL_RGBA32UI);
+    indexRows_ = gl::makeTexture(mirror.surface().indices, GL_R32UI);
     corners_.resize(curvatures.size() * sizeof(ShellCorner));
     std::vector<uvec3> triangles;
     for (const uint t : mirror.surface().patches.order) triangles.push_back(shown_->triangles[t]);
@@ -149,7 +153,8 @@ void ShellPass::findCurves(const Mirror& mirror, const Document& document, uint 
     corners_.bindStorage(binding::shellCorners);
     const auto groups = static_cast<uint>((mirror.skin().vertices.size() + 63) / 64);
     if (groups > 0) glDispatchCompute(std::min(groups, 65535u), (groups + 65534u) / 65535u, 1);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT |
+                    GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 void ShellPass::resize(ivec2 size) {
@@ -216,7 +221,7 @@ void ShellPass::march(const Program& program, const Peel& peel, const Canvas& ca
 
     glBindFramebuffer(GL_FRAMEBUFFER, canvas.target.name());
     glBindTextureUnit(2, hairColor_.name());
-    glBindTextureUnit(3, hairDepth_.name());
+    glBindTextureUnit(7, hairDepth_.name());
     show_.use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDisable(GL_DEPTH_TEST);
@@ -236,7 +241,6 @@ void ShellPass::drawMarched(const Mirror& mirror, const Canvas& canvas, bool pla
     glClearTexImage(seen_.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
     glBindImageTexture(0, seen_.name(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R8UI);
     glBindTextureUnit(1, canvas.depth.name());
-    mirror.surface().indices.bindStorage(binding::indices);
     glClearNamedFramebufferfv(peels_[1].target.name(), GL_DEPTH, 0, &nearest);
     // The driver looks whether anything was found, so that nothing waits for the answer.
     while (anyFound_.size() < kMostPeels)
@@ -293,8 +297,11 @@ void ShellPass::draw(const Mirror& mirror, const Document& document, const View&
     block_.bindUniform(binding::shells);
     curvatures_.bindStorage(binding::curvatures);
     rest_.bindStorage(binding::restVertices);
-    tile_.bindStorage(binding::shellTile);
     vertices_.bindStorage(binding::shellVertices);
+    tile_.bindStorage(12); glBindTextureUnit(3, vertexRows_.name());
+    glBindTextureUnit(4, cornerRows_.name());
+    glBindTextureUnit(5, indexRows_.name());
+    glBindTextureUnit(6, tileRows_.name());
     findCurves(mirror, document, data.coats, frame.seconds);
     if (view.shells == Shells::instanced)
         drawLayers(mirror, data.coats);

@@ -57,6 +57,7 @@ private:
     ivec2 size_{0};
     Peel peels_[2];
     std::vector<gl::Query> anyFound_;
+    gl::Texture vertexRows_, cornerRows_, indexRows_, tileRows_;
     gl::Texture seen_, hairColor_, hairDepth_;
     uint layers_ = 0;
     std::optional<CurveKey> curvesOf_;

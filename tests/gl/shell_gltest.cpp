@@ -71,7 +71,7 @@ double mean(const std::vector<float>& values) {
 // The roots of the tile around the middle of the patch, from what shaders/shell_hair.glsl says of
 // the axis y, m.
 std::vector<vec2> rootsAround(float hairs) {
-    const float period = std::sqrt(1024.0f / (1.28f * hairs));
+    const float period = std::sqrt(1024.0f / (1.45f * hairs));
     const RootMap map = rootMap({.side = 1, .hairs = 1024});
     constexpr uint kStream = 4;
     std::vector<vec2> roots;
@@ -80,11 +80,9 @@ std::vector<vec2> rootsAround(float hairs) {
         for (int j = -reach; j <= reach; ++j)
             for (uint k = 0; k < 1024; ++k) {
                 const glm::uvec2 at(map.roots[k] * 2048.0f);
-                const uint bits = at.x | at.y << 11 | k << 22;
-                const uint id =
-                    pcg(bits ^ pcg(static_cast<uint>(i) * 73856093u ^
-                                   static_cast<uint>(j) * 19349663u ^ kStream * 83492791u));
-                if (!(rand01(id) < 1.0f / 1.28f)) continue;
+                const float rank = 0.6180340f * static_cast<float>(k) +
+                                   glm::dot(vec2(i, j), vec2(0.7548777f, 0.5698403f));
+                if (!(rank - std::floor(rank) < 1.0f / 1.45f)) continue;
                 const vec2 place = (vec2(at) + 0.5f) / 2048.0f + vec2(i, j) -
                                    static_cast<float>(kStream) * vec2(0.7548777f, 0.5698403f);
                 const vec2 zx = period * place;
