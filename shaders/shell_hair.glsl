@@ -141,9 +141,9 @@ TileHit tileHit(Slab slab, uint axis, uint coatNumber, ShellCoat coat, Level lev
         float radius = 0.5 * coat.width * widthShare(level, root.number) * (1.0 - coat.taper * t);
         float square = radius * radius * slab.stretch;
         float distance2 = dot(rest, rest) + restTilt * restTilt;
-        // Even over the roots, so that those that bear no hair leave no gaps.
-        float rank = fract(1021.7 * fract(0.6180340 * float(root.number) + dot(cell, vec2(0.7548777, 0.5698403))));
-        if (distance2 < square && along < hit.along && rank < chance) {
+        // Any cheap draw will do that tells the roots of neighboring tiles apart.
+        float draw = fract(0.6180340 * float(root.number) + dot(cell, vec2(0.7548777, 0.5698403)));
+        if (distance2 < square && along < hit.along && fract(1021.7 * draw) < chance) {
             hit.along = along;
             hit.id = bits;
             inCell = cell;

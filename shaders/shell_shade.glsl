@@ -5,6 +5,7 @@ struct Hit {
     float t;
     float across;  // from the middle of the hair, in half widths
     uint id;
+    vec3 root;     // m, on the skin at rest
     bool over;
 };
 

@@ -94,6 +94,7 @@ ShellPass::ShellPass()
       skin_(Program::draw("shell_over.vert", "shell_over.frag", {"SKIN"})),
       layer_(Program::draw("shell_layer.vert", "shell_layer.frag")),
       show_(Program::draw("screen.vert", "shell_show.frag")),
+      seenOut_(Program::draw("screen.vert", "shell_seen.frag")),
       sweptMarch_(Program::draw("screen.vert", "shell.frag")),
       sweptFromSkin_(Program::draw("screen.vert", "shell.frag", {"SKIN"})),
       plainMarch_(Program::draw("screen.vert", "shell.frag", {"PLAIN"})),
@@ -163,7 +164,8 @@ void ShellPass::resize(ivec2 size) {
     hairColor_ = gl::makeTexture(size, GL_RGBA16F);
     hairDepth_ = gl::makeTexture(size, GL_R32F);
     seen_ = gl::makeTexture(size, GL_R8UI);
-    for (Peel& peel : peels_) {
+    for (Peel* each : {&peels_[0], &peels_[1], &visible_}) {
+        Peel& peel = *each;
         peel.found = gl::makeTexture(size, GL_RG32UI);
         peel.depth = gl::makeTexture(size, GL_DEPTH_COMPONENT32F);
         peel.target = gl::makeFramebuffer(peel.found, &peel.depth);
@@ -209,6 +211,7 @@ void ShellPass::march(const Program& program, const Peel& peel, const Canvas& ca
     glBindFramebuffer(GL_FRAMEBUFFER, peel.march.name());
     glClearBufferfv(GL_COLOR, 0, &none.x);
     glBindTextureUnit(2, peel.found.name());
+    glBindTextureUnit(7, visible_.found.name());
     program.use();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_NOTEQUAL);
@@ -221,18 +224,17 @@ void ShellPass::march(const Program& program, const Peel& peel, const Canvas& ca
 
     glBindFramebuffer(GL_FRAMEBUFFER, canvas.target.name());
     glBindTextureUnit(2, hairColor_.name());
-    glBindTextureUnit(7, hairDepth_.name());
+    glBindTextureUnit(8, hairDepth_.name());
     show_.use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDisable(GL_DEPTH_TEST);
-    glTextureBarrier();
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
 // What is found is marched at once, a pixel at a time and however small its triangle: first below
 // the surface over the fur that is nearest, then below what comes next behind it, as long as
-// anything does. Then from the skin where that did not see its fur: where the eye is in the fur,
-// and in hollows, whose outer surface lies in other parts of the body.
+// anything does. Then from the skin where that did not look for its fur: where the eye is in the
+// fur, and in hollows, whose outer surface lies in other parts of the body.
 void ShellPass::drawMarched(const Mirror& mirror, const Canvas& canvas, bool plain) {
     constexpr std::size_t kMostPeels = 4;
     resize(canvas.size);
@@ -242,6 +244,7 @@ void ShellPass::drawMarched(const Mirror& mirror, const Canvas& canvas, bool pla
     glBindImageTexture(0, seen_.name(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R8UI);
     glBindTextureUnit(1, canvas.depth.name());
     glClearNamedFramebufferfv(peels_[1].target.name(), GL_DEPTH, 0, &nearest);
+    find(mirror, skin_, offsetof(ShellCorner, position), visible_, peels_[1]);
     // The driver looks whether anything was found, so that nothing waits for the answer.
     while (anyFound_.size() < kMostPeels)
         anyFound_.push_back(gl::makeQuery(GL_ANY_SAMPLES_PASSED));
@@ -257,8 +260,20 @@ void ShellPass::drawMarched(const Mirror& mirror, const Canvas& canvas, bool pla
         march(plain ? plainMarch_ : sweptMarch_, peel, canvas);
         glEndConditionalRender();
     }
-    find(mirror, skin_, offsetof(ShellCorner, position), peels_[0], peels_[1]);
-    march(plain ? plainFromSkin_ : sweptFromSkin_, peels_[0], canvas);
+    leaveOutSeen();
+    march(plain ? plainFromSkin_ : sweptFromSkin_, visible_, canvas);
+}
+
+void ShellPass::leaveOutSeen() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, visible_.target.name());
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_ALWAYS);
+    seenOut_.use();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDepthFunc(GL_LESS);
+    glDisable(GL_DEPTH_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 void ShellPass::drawLayers(const Mirror& mirror, uint coats) {
