@@ -270,7 +270,7 @@ private:
 // every side. The rows of a lattice or of Sobol's sequence would hide nothing of each other from
 // two.
 RootGrid evenRoots(uint count, uint seed) {
-    constexpr uint kCandidates = 2;
+    constexpr uint kCandidates = 3;
     RootGrid grid(count);
     for (uint hair = 0; hair < count; ++hair) {
         vec2 farthest(0.0f);

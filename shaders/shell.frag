@@ -37,6 +37,7 @@ const float kLongestSlab = 1.0;
 struct Ray {         // through the fur over a ball
     float top;       // m, height where it begins
     float bend;      // 1/m, curvature of the ball
+    float bendAcross;  // of the skin across the ray
     float cosine;    // of its angle with the normal
     float sine;
     float far;       // 1 + bend * top
@@ -166,6 +167,9 @@ Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, Groun
         float slant = dot(n, cross(aside - asideBefore, step));
         slab.stretch = 1.0 + min(slant * slant / max(rise * rise * dot(step, step), 1e-20), 15.0);
 #endif
+        // Over a ball hairs stand further apart than their roots.
+        float spread = 1.0 + 0.5 * ray.bendAcross * (height + heightBefore);
+        slab.stretch /= spread * spread;
         bool crossed = before.there || at.there;
         for (uint k = 0u, axis = axes.first; k < axes.count; ++k) {
             TileHit one = tileHit(slab, axis, coatNumber, coat, level, axes);
@@ -266,11 +270,12 @@ void main() {
     back = g.top / max(ray.cosine, 0.15);
     if (frame.perspective > 0.0) back = min(back, distance(frame.eye, g.outer));
     ray.top = back * ray.cosine;
-    ray.bend = 0.0;
+    ray.bend = ray.bendAcross = 0.0;
     below -= (back * ray.sine) * ahead;
 #else
     // Beyond these the skin folds over itself within the length of a hair.
     ray.bend = clamp(g.bend, -0.5 / g.top, 8.0 / g.top);
+    ray.bendAcross = clamp(g.bendAcross, -0.5 / g.top, 8.0 / g.top);
 #endif
     ray.far = 1.0 + ray.bend * ray.top;
 

@@ -28,6 +28,7 @@ struct Ground {     // in the space of the skin at rest, unless world is said
     vec3 underAcross;
     float top;
     float bend;     // 1/m, curvature of the skin in the direction of the view
+    float bendAcross;  // and across it
     float skyward;  // how far the skin looks up in the world
     float density;
     float furLength;
@@ -44,7 +45,7 @@ vec3 outerOf(ShellVertex v) {
 #endif
 }
 
-// Between three vertices. Curvature goes with the square of the length of the tangent.
+// Between three vertices.
 Ground groundOf(ShellVertex a, ShellVertex b, ShellVertex c, vec3 share, vec3 bare) {
 #define MIXED(member) (share.x * a.member + share.y * b.member + share.z * c.member)
     Ground g;
@@ -65,11 +66,13 @@ Ground groundOf(ShellVertex a, ShellVertex b, ShellVertex c, vec3 share, vec3 ba
     g.top = MIXED(top);
     vec3 up = turnedBack(g.normal, g.turn);
     g.skyward = up.y;
-    vec3 t = eye - dot(eye, up) * up;
-    g.bend = (MIXED(bendXX) * t.x * t.x + MIXED(bendYY) * t.y * t.y + MIXED(bendZZ) * t.z * t.z +
-              2.0 * (MIXED(bendXY) * t.x * t.y + MIXED(bendXZ) * t.x * t.z +
-                     MIXED(bendYZ) * t.y * t.z)) /
-             max(dot(t, t), 1e-12);
+    vec3 t = safeUnit(eye - dot(eye, up) * up, anyTangent(up));
+    vec3 side = cross(up, t);
+    vec3 mixedBends = vec3(MIXED(bendXY), MIXED(bendXZ), MIXED(bendYZ));
+    mat3 bends = mat3(MIXED(bendXX), mixedBends.xy, mixedBends.x, MIXED(bendYY), mixedBends.z,
+                      mixedBends.yz, MIXED(bendZZ));
+    g.bend = dot(t, bends * t);
+    g.bendAcross = dot(side, bends * side);
     g.density = MIXED(density);
     g.furLength = MIXED(furLength);
     g.tint = MIXED(tint);

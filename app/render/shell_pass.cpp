@@ -313,7 +313,7 @@ void ShellPass::draw(const Mirror& mirror, const Document& document, const View&
     curvatures_.bindStorage(binding::curvatures);
     rest_.bindStorage(binding::restVertices);
     vertices_.bindStorage(binding::shellVertices);
-    tile_.bindStorage(12); glBindTextureUnit(3, vertexRows_.name());
+    glBindTextureUnit(3, vertexRows_.name());
     glBindTextureUnit(4, cornerRows_.name());
     glBindTextureUnit(5, indexRows_.name());
     glBindTextureUnit(6, tileRows_.name());
