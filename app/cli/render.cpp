@@ -26,12 +26,14 @@ constexpr std::pair<const char*, Shells> kShells[] = {{"shells", Shells::swept},
                                                       {"shells-plain", Shells::plain},
                                                       {"shells-instanced", Shells::instanced}};
 
+constexpr const char* kAutomatic = "auto";
+
 struct Options {
     InputOptions input;
     std::string output;
     std::string size = "900x900";
     std::string technique;             // of both coats; empty = each its own style
-    std::string over, under;           // of one coat: strands or shells; empty = as both
+    std::string over, under;           // of one coat: strands, shells, auto; empty = as both
     std::string clip;                  // name or number; empty = at rest
     float time = 0.0f;                 // s
     std::optional<float> distance;     // m
@@ -110,6 +112,7 @@ Shells shellsNamed(const std::string& name) {
 void setTechnique(View& view, const Options& options) {
     const Shells both = shellsNamed(options.technique);
     const auto as = [&](const std::string& coat) {
+        if ((coat.empty() ? options.technique : coat) == kAutomatic) return DrawnAs::automatic;
         const bool shells = coat.empty() ? both != Shells::none : coat == "shells";
         return shells ? DrawnAs::shells : DrawnAs::strands;
     };
@@ -145,6 +148,7 @@ std::shared_ptr<const Skin> standing(const Document& document, const Options& op
 // Styles and shells by name: "ribbon", or "ribbon/shells" for overcoat and undercoat.
 std::string techniqueOf(const View& view, const Fur& fur) {
     const auto of = [&](DrawnAs as, const Coat& coat) -> std::string {
+        if (as == DrawnAs::automatic) return kAutomatic;
         if (as == DrawnAs::strands) return styleRow().choices[coat.style];
         for (const auto& [name, shells] : kShells)
             if (view.shells == shells) return name;
@@ -176,6 +180,7 @@ OrderedJson jsonOf(const Options& options, const Document& document, const View&
             {"deviation", stats.deviation},
             {"flip", stats.flip},
             {"samples", stats.samples},
+            {"inShells", {stats.inShells.x, stats.inShells.y}},
             {"layers", stats.layers},
             {"textureBytes", stats.textureBytes},
             {"msShellPass", 1e3 * stats.shellSeconds},
@@ -193,9 +198,9 @@ OrderedJson jsonOf(const Options& options, const Document& document, const View&
 std::string textOf(const OrderedJson& result) {
     char times[64];
     std::snprintf(times, sizeof times, "%.1f ms a frame", result["msFrame"].get<double>());
-    const auto technique = result["technique"].get<std::string>();
-    const bool shells = technique.find("shells") != std::string::npos;
-    const bool strands = !shells || technique.find('/') != std::string::npos;
+    const auto& shares = result["inShells"];
+    const bool shells = shares[0] > 0.0 || shares[1] > 0.0;
+    const bool strands = shares[0] < 1.0 || shares[1] < 1.0;
     const std::string hairs =
         result["hairsDrawn"].dump() + " of " + result["hairsTotal"].dump() + " hairs";
     return "wrote " + result["output"].get<std::string>() + ": " + result["width"].dump() + "x" +
@@ -212,7 +217,7 @@ void render(const Options& options, bool json) {
         traceReference(document, view, options.trace, options.output, json);
         return;
     }
-    if (!options.technique.empty() && shellsNamed(options.technique) == Shells::none)
+    if (std::ranges::count(styleRow().choices, options.technique) > 0)
         setParameter(document.fur, "both.style", options.technique);
     const HeadlessContext context;
     Renderer renderer;
@@ -246,6 +251,7 @@ void addRender(CLI::App& app, bool& json) {
     const auto styles = styleRow().choices;
     std::vector<std::string> techniques(styles.begin(), styles.end());
     for (const auto& [name, shells] : kShells) techniques.emplace_back(name);
+    techniques.emplace_back(kAutomatic);
     techniques.emplace_back(kReferenceTechnique);
     verb->add_option("--technique", options->technique,
                      "How hair is drawn, in place of the coats' own styles")
@@ -255,8 +261,8 @@ void addRender(CLI::App& app, bool& json) {
          {std::tuple("--over", &options->over, "The overcoat, in place of the technique of both"),
           {"--under", &options->under, "The undercoat, likewise"}})
         verb->add_option(flag, *coat, help)
-            ->type_name("strands|shells")
-            ->check(CLI::IsMember({"strands", "shells"}));
+            ->type_name("strands|shells|auto")
+            ->check(CLI::IsMember({"strands", "shells", kAutomatic}));
     verb->add_option("--layers", options->layers, "Of shells: how many at least, 0 to 256, or auto")
         ->type_name("N")
         ->capture_default_str()

@@ -66,9 +66,9 @@ std::string askedText(const Detail& detail) {
 
 // "undercoat, 16 layers, 240 ms"
 std::string shellsText(const View& view, const FrameStats& stats) {
-    if (stats.textureBytes == 0) return "none";
-    const bool over = view.showOver && view.over == DrawnAs::shells;
-    const bool under = view.showUnder && view.under == DrawnAs::shells;
+    const bool over = view.showOver && stats.inShells.x > 0.0f;
+    const bool under = view.showUnder && stats.inShells.y > 0.0f;
+    if (!over && !under) return "none";
     std::string text = over && under ? "both coats" : over ? "overcoat" : "undercoat";
     if (stats.layers > 0) text += ", " + std::to_string(stats.layers) + " layers";
     return text + number(", %.0f ms", 1e3 * stats.shellSeconds);

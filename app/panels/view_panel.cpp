@@ -9,7 +9,7 @@ namespace pelage {
 namespace {
 
 std::optional<DrawnAs> techniqueRow(const Ui& ui, const char* label, DrawnAs as, const char* help) {
-    constexpr const char* kTechniques[] = {"Strands", "Shells"};
+    constexpr const char* kTechniques[] = {"Strands", "Shells", "Automatic"};
     ImGui::PushID(label);
     rowLabel(ui, label);
     const auto other = choiceList(ui, "##technique", kTechniques, static_cast<int>(as));
@@ -22,7 +22,8 @@ std::optional<DrawnAs> techniqueRow(const Ui& ui, const char* label, DrawnAs as,
 void drawTechniques(const Ui& ui, ViewOptions& view) {
     if (const auto as = techniqueRow(ui, "Overcoat", view.over,
                                      "Strands are single hairs. Shells are layers of the same "
-                                     "hairs; they leave out clumps, curls and frizz."))
+                                     "hairs; they leave out clumps, curls and frizz. Automatic "
+                                     "fades to shells where nobody sees it and they cost less."))
         view.over = *as;
     if (const auto as = techniqueRow(ui, "Undercoat", view.under,
                                      "Strands over an undercoat of shells are one picture."))
@@ -68,7 +69,7 @@ void drawDetail(const Ui& ui, Detail& detail, const FrameStats& stats) {
                        .help = "Time that one frame may take while you paint or turn the animal; "
                                "it is drawn more coarsely to keep it."}))
         detail.milliseconds = *time;
-    if (stats.shellSeconds > 0.0)
+    if (stats.inShells != vec2(0.0f))
         ImGui::TextDisabled("%.0f ms, %.0f of them for shells", 1e3 * stats.seconds,
                             1e3 * stats.shellSeconds);
     else

@@ -10,6 +10,7 @@
 #include "app/render/canvas.h"
 #include "app/render/capabilities.h"
 #include "app/render/check.h"
+#include "app/render/coat_choice.h"
 #include "app/render/flip_budget.h"
 #include "app/render/frame_view.h"
 #include "app/render/post_pass.h"
@@ -78,17 +79,6 @@ void begin(PostPass& post, const View& view, const Box& box, ivec2 size) {
     post.begin(behindOf(view), vec2(box.lower) / vec2(size), vec2(box.upper) / vec2(size));
 }
 
-// Coats by how they are drawn, as bits of FrameData::coats.
-struct Coats {
-    uint strands = 0, shells = 0;
-
-    explicit Coats(const View& view) {
-        const bool layered = view.shells != Shells::none && view.overlay == Overlay::none;
-        if (view.showOver) (layered && view.over == DrawnAs::shells ? shells : strands) |= 1u;
-        if (view.showUnder) (layered && view.under == DrawnAs::shells ? shells : strands) |= 2u;
-    }
-};
-
 // What was drawn of the hair.
 struct Sample {
     Coats coats;
@@ -102,6 +92,9 @@ struct Sample {
 bool isTimed(const Detail& detail) {
     return detail.milliseconds > 0.0f || detail.rule == Detail::Rule::flip;
 }
+
+// Where nothing is automatic but in shells.
+Coats asStrands(const View& view) { return coatsOf(view, drawnInShells(view, vec2(0.0f)), 0); }
 
 }  // namespace
 
@@ -125,8 +118,9 @@ struct Renderer::Parts {
     int samples = 0;
     bool single = false;
     bool linesShown = false;
-    bool blurred = false;  // the sample in the picture was drawn with fewer pixels
-    bool blurs = false;    // the next one is, if it is bound by time
+    bool blurred = false;    // the sample in the picture was drawn with fewer pixels
+    bool blurs = false;      // the next one is, if it is bound by time
+    bool shellsErr = false;  // more than is asked for, where they were chosen in this view
     FrameStats stats;
 
     void resize(ivec2 wanted) {
@@ -143,7 +137,7 @@ struct Renderer::Parts {
                       Canvas& canvas);
     // What `choose` takes of what is seen, drawn into a canvas.
     template <typename Choose>
-    Sample draw(const Document& document, const View& view, Canvas& canvas, int sample,
+    Sample draw(const Document& document, const View& view, Coats coats, Canvas& canvas, int sample,
                 float skinDeviation, const Choose& choose);
     void drawSample(const Document& document, const View& view);
     bool mayCheck(const View& view) const;
@@ -215,20 +209,20 @@ double Renderer::Parts::drawShells(const Document& document, const View& view, F
 
 // Strands come after shells, whose depth is that of the skin to them.
 template <typename Choose>
-Sample Renderer::Parts::draw(const Document& document, const View& view, Canvas& canvas, int sample,
-                             float skinDeviation, const Choose& choose) {
+Sample Renderer::Parts::draw(const Document& document, const View& view, Coats coats,
+                             Canvas& canvas, int sample, float skinDeviation,
+                             const Choose& choose) {
     FrameData frame = frameData(document, view, mirror, sample, canvas.size);
-    const auto peltFor = [&](uint coats) {
-        return peltOf(document.fur, coats, frame.overWidth, frame.underWidth, document.skin->area,
+    const auto peltFor = [&](uint bits) {
+        return peltOf(document.fur, bits, frame.overWidth, frame.underWidth, document.skin->area,
                       mirror.longestHair());
     };
-    Sample drawn{.coats = Coats(view), .box = boxOf(sightOf(frame), peltFor(frame.coats), mirror)};
-    drawSkin(canvas, frame, view, drawn.coats.shells ? 0.0f : skinDeviation);
+    Sample drawn{.coats = coats, .box = boxOf(sightOf(frame), peltFor(frame.coats), mirror)};
+    drawSkin(canvas, frame, view, coats.shells ? 0.0f : skinDeviation);
     canvas.furry = false;
-    if (drawn.coats.shells)
-        drawn.shellSeconds = drawShells(document, view, frame, drawn.coats.shells, canvas);
-    if (!drawn.coats.strands) return drawn;
-    const Pelt pelt = peltFor(drawn.coats.strands);
+    if (coats.shells) drawn.shellSeconds = drawShells(document, view, frame, coats.shells, canvas);
+    if (!coats.strands) return drawn;
+    const Pelt pelt = peltFor(coats.strands);
     const SkinDepth depth =
         strandPass.begin(canvas.depth, frameBlock, canvas.size, drawn.box.lower, drawn.box.upper);
     // The parts of a frame can only be told apart where each waits for the one before.
@@ -257,12 +251,21 @@ void Renderer::Parts::drawSample(const Document& document, const View& view) {
     const auto choose = [&](const FrameData& frame, const Pelt& pelt, const InSight& seen) {
         return choice(view, frame, pelt, seen);
     };
+    if (samples == 0) {
+        stats.flipMeasured = false;
+        if (!asStrands(view).strands) stats.deviation = stats.flip = 0.0f;
+        const bool asked = view.over == DrawnAs::automatic || view.under == DrawnAs::automatic;
+        const FrameData frame = frameData(document, view, mirror, 0, canvas.size);
+        stats.inShells = drawnInShells(
+            view, asked && !shellsErr ? betterInShells(document, view, mirror, frame) : vec2(0.0f));
+    }
     // What hair needs to keep to its time or its FLIP is chosen once the skin is drawn: for the
     // skin that of the last frame counts.
     const float last = blurred ? 0.5f * stats.deviation : stats.deviation;
     const bool coarsens = view.coarsens && view.overlay == Overlay::none;
     const float skinDeviation = coarsens ? deviationOf(view.detail, last) : 0.0f;
-    const Sample sample = draw(document, view, canvas, samples, skinDeviation, choose);
+    const Sample sample = draw(document, view, coatsOf(view, stats.inShells, samples), canvas,
+                               samples, skinDeviation, choose);
     if (samples == 0) begin(postPass, view, sample.box, canvas.size);
     if (!single) postPass.accumulate(canvas.color, samples == 0);
     ++samples;
@@ -275,7 +278,6 @@ void Renderer::Parts::drawSample(const Document& document, const View& view) {
         // Shells are coarser with fewer pixels only.
         const double sharp = (blurred ? 4.0 : 1.0) * sample.shellSeconds;
         blurs = sharp > 1e-3 * static_cast<double>(view.detail.milliseconds);
-        stats.deviation = stats.flip = 0.0f;
     }
     count(sample);
 }
@@ -284,7 +286,7 @@ void Renderer::Parts::drawSample(const Document& document, const View& view) {
 // had to keep to a time, nor where that would take too long.
 bool Renderer::Parts::mayCheck(const View& view) const {
     return view.detail.rule == Detail::Rule::flip && view.detail.milliseconds == 0.0f &&
-           Coats(view).strands != 0 && !stats.flipMeasured &&
+           asStrands(view).strands != 0 && !stats.flipMeasured &&
            finePace.secondsOf(flipBudget.workOfAll()) <= view.patience;
 }
 
@@ -297,7 +299,8 @@ void Renderer::Parts::drawCheck(const Document& document, const View& view) {
             return pelage::choose(mirror.roots(), seen, sightOf(frame), pelt,
                                   {.rule = Detail::Rule::all}, 0.0f, finenessOf(frame));
         };
-        const Sample sample = draw(document, view, check->canvas, check->samples, 0.0f, choose);
+        const Sample sample =
+            draw(document, view, asStrands(view), check->canvas, check->samples, 0.0f, choose);
         if (check->samples == 0) begin(check->post, view, sample.box, view.size);
         check->add();
         glFinish();
@@ -306,7 +309,10 @@ void Renderer::Parts::drawCheck(const Document& document, const View& view) {
     stats.flip = check->errorOf(postPass, fine);
     stats.flipMeasured = true;
     display(view);
-    if (flipBudget.learn(view.detail.limit, stats.flip, stats.deviation)) samples = 0;
+    const bool chosen = drawnInShells(view, vec2(0.0f)) != stats.inShells;
+    if (chosen) shellsErr = stats.flip > view.detail.limit;
+    if (chosen ? shellsErr : flipBudget.learn(view.detail.limit, stats.flip, stats.deviation))
+        samples = 0;
 }
 
 void Renderer::Parts::count(const Sample& sample) {
@@ -352,6 +358,7 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
     const bool single = wanted == 1;
     if (changed || !p.key || !(*p.key == key)) {
         p.samples = 0;
+        p.shellsErr = false;
         if (p.check) p.check->samples = 0;
         p.flipBudget.begin();
     }

@@ -19,7 +19,7 @@ enum class Overlay { none, length, density, direction, mask, segment };
 // the layers; or the skin drawn once for each.
 enum class Shells { none, swept, plain, instanced };
 
-enum class DrawnAs { strands, shells };  // of a coat
+enum class DrawnAs { strands, shells, automatic };  // of a coat
 
 struct OverlayLine {        // drawn over everything, with the depth of the skin tested
     vec3 a{0.0f}, b{0.0f};  // world
@@ -69,6 +69,7 @@ struct FrameStats {
     bool flipMeasured = false;     // or as measured, once the picture is complete
     double seconds = 0.0;          // to the end of the GPU's work
     double shellSeconds = 0.0;     // of those, for the shells
+    vec2 inShells{0.0f};           // share of overcoat and undercoat in the picture, [0,1]
     uint layers = 0;               // of shells
     std::size_t textureBytes = 0;  // of shells
     int samples = 0;               // averaged in the picture so far

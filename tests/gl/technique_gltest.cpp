@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <numeric>
 #include <utility>
@@ -156,6 +158,78 @@ TEST(Technique, ShellsThatTakeTooLongHaveFewerPixels) {
     };
     EXPECT_LT(2 * steps(coarse), steps(sharp) * 3 / 2);
     EXPECT_NEAR(mean(test::linear(coarse)), mean(test::linear(sharp)), 0.01);
+}
+
+// So dense that from so far away shells cost less than the strands they stand for.
+TwoCoats denseCoats(float away) {
+    TwoCoats scene;
+    scene.document.fur.hairs = 400000;
+    scene.view.over = scene.view.under = DrawnAs::automatic;
+    scene.view.detail.rule = Detail::Rule::distance;
+    scene.view.samples = 16;
+    scene.view.camera.distance *= away;
+    return scene;
+}
+
+TEST(Technique, AutomaticIsStrandsCloseByAndShellsAfar) {
+    Renderer renderer;
+    TwoCoats scene = denseCoats(1.0f);
+    const float framed = scene.view.camera.distance;
+    float before = 0.0f;
+    for (float step = 0.0f; step < 5.5f; step += 0.1f) {
+        scene.view.camera.distance = framed * std::exp2(step - 3.0f);
+        const vec2 shares = renderer.draw(scene.document, scene.view).inShells;
+        if (step == 0.0f) {
+            EXPECT_EQ(shares, vec2(0.0f));
+        }
+        EXPECT_GE(shares.y, before - 0.04f);
+        EXPECT_LE(shares.y, before + 0.25f);
+        before = shares.y;
+    }
+    EXPECT_EQ(before, 1.0f);
+    scene.view.detail.rule = Detail::Rule::all;
+    EXPECT_EQ(renderer.draw(scene.document, scene.view).inShells, vec2(0.0f));
+}
+
+// Each sample is of one technique, so a part of them is a part of the mean.
+TEST(Technique, APictureInPartInShellsIsTheMeanOfBoth) {
+    Renderer renderer;
+    TwoCoats scene = denseCoats(1.0f);
+    const float framed = scene.view.camera.distance;
+    scene.view.showOver = false;
+    float share = 0.0f;
+    for (float step = 0.0f; step < 3.0f && !(share > 0.3f && share < 0.7f); step += 0.05f) {
+        scene.view.camera.distance = framed * std::exp2(step - 1.0f);
+        share = renderer.draw(scene.document, scene.view).inShells.y;
+    }
+    ASSERT_GT(share, 0.3f);
+    ASSERT_LT(share, 0.7f);
+    const auto light = [&](DrawnAs as) {
+        scene.view.under = as;
+        return test::linear(test::picture(renderer, scene.document, scene.view));
+    };
+    const double shells = mean(light(DrawnAs::shells)), strands = mean(light(DrawnAs::strands));
+    const auto part = static_cast<double>(share);
+    EXPECT_GT(std::abs(shells - strands), 1e-3);
+    EXPECT_NEAR(mean(light(DrawnAs::automatic)), part * shells + (1.0 - part) * strands,
+                0.1 * std::abs(shells - strands) + 1e-4);
+}
+
+// What is measured has the last word: shells that break the FLIP that is asked for are given up.
+TEST(Technique, AutomaticKeepsTheFlipThatIsAskedFor) {
+    Renderer renderer;
+    TwoCoats scene = denseCoats(4.0f);
+    scene.document.fur.hairs = 100000;
+    scene.view.samples = 4;
+    for (const float asked : {0.1f, 0.03f, 0.01f}) {
+        scene.view.detail = {Detail::Rule::flip, asked, 0.0f};
+        const FrameStats stats = drawFinished(renderer, scene.document, scene.view);
+        std::printf("FLIP %.2f asked, %.4f reached, %.2f and %.2f in shells\n",
+                    static_cast<double>(asked), static_cast<double>(stats.flip),
+                    static_cast<double>(stats.inShells.x), static_cast<double>(stats.inShells.y));
+        EXPECT_TRUE(stats.flipMeasured);
+        EXPECT_LE(stats.flip, asked);
+    }
 }
 
 }  // namespace
