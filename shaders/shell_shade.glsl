@@ -1,28 +1,4 @@
-// shell_shade.glsl -- what a place on the skin knows of its fur (shell.vert), and the look of a hair
-// that a shell shows there.
-
-in vec3 outer;
-in vec3 place;
-in vec3 normal;
-in vec3 toward;
-in vec3 toKey;
-in vec3 overA;
-in vec3 overB;
-in vec3 underA;
-in vec3 underB;
-in vec3 overAcross;
-in vec3 underAcross;
-in float top;
-in float bend;
-in float skyward;
-in float density;
-in float furLength;
-in vec3 tint;
-in vec3 bare;
-in vec2 uv;
-#ifdef TEXTURED
-layout(location = 1) uniform float layer;  // of the base-color textures
-#endif
+// shell_shade.glsl -- the look of a hair that a shell shows at a place on the skin.
 
 struct Hit {
     float way;     // m along the ray; 1e30 = none
@@ -32,13 +8,14 @@ struct Hit {
     bool over;
 };
 
-vec3 radianceOf(Hit hit, vec3 n, vec3 eye) {
+vec3 radianceOf(Hit hit, Ground g) {
+    vec3 n = g.normal;
     Coat coat = fur.under;
     if (hit.over) coat = fur.over;
     Strand s;
-    s.weightless = hit.over ? overA : underA;
-    s.end = hit.over ? overB : underB;
-    s.binormal = safeUnit(hit.over ? overAcross : underAcross, anyTangent(n));
+    s.weightless = hit.over ? g.overA : g.underA;
+    s.end = hit.over ? g.overB : g.underB;
+    s.binormal = safeUnit(hit.over ? g.overAcross : g.underAcross, anyTangent(n));
     float twist = 3.1415927 * within(coat.normalRandomness, 0.0, 1.0) *
                   (2.0 * rand01(hit.id + kDrawTwist) - 1.0);
     s.cosTwist = cos(twist);
@@ -50,20 +27,16 @@ vec3 radianceOf(Hit hit, vec3 n, vec3 eye) {
     s.curl = 0.0;
     s.frizz = 0.0;
     s.droop = kDroopPaper;
-    vec3 skin = bare;
-#ifdef TEXTURED
-    skin *= textureLod(baseColors, vec3(uv, layer), 0.0).rgb;
-#endif
-    vec3 base = tint * mix(vec3(1.0), skin, fur.skinColor);
+    vec3 base = g.tint * mix(vec3(1.0), g.bare, fur.skinColor);
     Light light = frame.light;  // as seen from the skin at rest
-    light.toKey = safeUnit(toKey, n);
-    light.sky = skyLight(frame.light, vec3(0.0, skyward, 0.0));
+    light.toKey = safeUnit(g.toKey, n);
+    light.sky = skyLight(frame.light, vec3(0.0, g.skyward, 0.0));
     light.ground = light.sky;
-    float depth = depthInCoat(fur, frame.hairsPerArea * density, furLength, frame.overWidth,
+    float depth = depthInCoat(fur, frame.hairsPerArea * g.density, g.furLength, frame.overWidth,
                               frame.underWidth, hit.over ? 0u : 1u, hit.t);
     if (coat.style == kStyleRibbon || coat.style == kStyleTube)
-        return roundRadiance(s, coat, light, base, hit.t, eye, depth);
-    return fiberRadiance(s, coat, light, base, hit.t, eye, depth);
+        return roundRadiance(s, coat, light, base, hit.t, g.eye, depth);
+    return fiberRadiance(s, coat, light, base, hit.t, g.eye, depth);
 }
 
 // Pixels that a metre is wide there.

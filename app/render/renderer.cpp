@@ -202,7 +202,7 @@ double Renderer::Parts::drawShells(const Document& document, const View& view, F
     const auto start = Clock::now();
     if (!shellPass) shellPass.emplace();
     frame.coats = coats;
-    shellPass->draw(mirror, document, view, frame, frameBlock);
+    shellPass->draw(mirror, document, view, frame, frameBlock, canvas);
     glFinish();
     return secondsSince(start);
 }

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <memory>
-#include <string>
+#include <optional>
 #include <vector>
 
+#include "app/render/canvas.h"
 #include "app/render/frame_data.h"
 #include "app/render/mirror.h"
 #include "app/render/program.h"
@@ -18,10 +18,10 @@ namespace pelage {
 class ShellPass {
 public:
     ShellPass();
-    // Draws the fur before the skin into the bound framebuffer, which holds the skin's color and
-    // depth. Clumps, curls and frizz are left out.
+    // Draws the fur before the skin into a canvas that holds the skin's color and depth. Clumps,
+    // curls and frizz are left out.
     void draw(const Mirror& mirror, const Document& document, const View& view,
-              const FrameData& frame, const gl::Buffer& frameBlock);
+              const FrameData& frame, const gl::Buffer& frameBlock, const Canvas& canvas);
 
     uint layers() const { return layers_; }                     // of the last draw
     std::size_t textureBytes() const { return tile_.bytes(); }  // of the tile of roots, all levels
@@ -29,23 +29,38 @@ public:
 
 private:
     void makeTile();
-    void findCurves(const Mirror& mirror, const Fur& fur);
+    void findCurves(const Mirror& mirror, const Document& document, uint coats, float seconds);
     void updateSkin(const Mirror& mirror, const Skin& atRest);
-    // Of a way of drawing, without and with a base-color texture.
-    struct Pair {
-        Program plain, textured;
+    struct CurveKey {  // what the mean hair depends on
+        std::shared_ptr<const Skin> shown;
+        Groom groom;
+        Fur fur;
+        uint coats;
+        float seconds;
+        bool operator==(const CurveKey&) const = default;
     };
-    const Pair& programsOf(const char* fragment, const std::vector<std::string>& defines);
-    void drawWith(const Mirror& mirror, const Pair& programs) const;
-    void drawMarched(const Mirror& mirror, bool plain);
+    struct Peel {  // the surface over the fur that comes next behind each pixel
+        gl::Texture found, depth;
+        gl::Framebuffer target, march;
+    };
+    void resize(ivec2 size);
+    void find(const Mirror& mirror, const Program& program, std::size_t offset, const Peel& peel,
+              const Peel& before) const;
+    void march(const Program& program, const Peel& peel, const Canvas& canvas) const;
+    void drawMarched(const Mirror& mirror, const Canvas& canvas, bool plain);
     void drawLayers(const Mirror& mirror, uint coats);
 
-    Program curves_, rodCurves_;
-    std::map<std::string, Pair> programs_;  // made when they are first needed
-    gl::VertexArray vertexArray_;
-    gl::Buffer tile_, block_, vertices_, rest_, curvatures_, rodTable_;
+    Program curves_, rodCurves_, over_, skin_, layer_, show_;
+    Program sweptMarch_, sweptFromSkin_, plainMarch_, plainFromSkin_;
+    gl::VertexArray layerArray_, surfaceArray_;
+    gl::Buffer tile_, block_, vertices_, corners_, indices_, rest_, curvatures_, rodTable_;
+    ivec2 size_{0};
+    Peel peels_[2];
+    std::vector<gl::Query> anyFound_;
+    gl::Texture seen_, hairColor_, hairDepth_;
     uint layers_ = 0;
-    std::shared_ptr<const Skin> skin_;  // whose curvatures are known
+    std::optional<CurveKey> curvesOf_;
+    std::shared_ptr<const Skin> shown_;  // whose curvatures are known
 };
 
 }  // namespace pelage
