@@ -7,11 +7,9 @@
 namespace pelage {
 namespace {
 
-// Measured with software OpenGL on two cores at the animal; on other machines both ways are faster
-// alike.
-constexpr double kPerWork = 5e-8;   // s for a unit of workOf
-constexpr double kPerPixel = 2e-6;  // s for a pixel of a coat in shells
-constexpr double kPerVertex = 1.3e-6;
+// s, measured with software OpenGL on two cores at the animal of 2,000 to 100,000 triangles.
+constexpr double kPerWork = 5e-8;                                          // for a unit of workOf
+constexpr double kPerPixel = 8e-7, kPerVertex = 1.1e-6, kPerFrame = 7e-3;  // of a coat in shells
 constexpr double kFacing = 0.5;  // of the hair in the window is not hidden by the skin
 
 // Mean FLIP of a picture full of fur, in shells against strands.
@@ -51,7 +49,8 @@ CoatInView coatInView(const Roots& roots, InSight seen, const Sight& sight, cons
             .flip = kFlipOfShells * fur.share,
             .strandSeconds = kPerWork * kFacing * static_cast<double>(share) *
                              workOf(seen, sight, pelt, detail, deviation, otherwise),
-            .shellSeconds = kPerPixel * pixels + kPerVertex * static_cast<double>(vertices)};
+            .shellSeconds =
+                kPerFrame + kPerPixel * pixels + kPerVertex * static_cast<double>(vertices)};
 }
 
 float shellShare(const Detail& detail, const CoatInView& coat) {

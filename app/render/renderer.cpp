@@ -139,6 +139,7 @@ struct Renderer::Parts {
     template <typename Choose>
     Sample draw(const Document& document, const View& view, Coats coats, Canvas& canvas, int sample,
                 float skinDeviation, const Choose& choose);
+    void chooseShells(const Document& document, const View& view);
     void drawSample(const Document& document, const View& view);
     bool mayCheck(const View& view) const;
     void drawCheck(const Document& document, const View& view);
@@ -243,6 +244,17 @@ Sample Renderer::Parts::draw(const Document& document, const View& view, Coats c
     return drawn;
 }
 
+// For all samples of a picture.
+void Renderer::Parts::chooseShells(const Document& document, const View& view) {
+    stats.flipMeasured = false;
+    if (!asStrands(view).strands) stats.deviation = stats.flip = 0.0f;
+    vec2 better(0.0f);
+    if (!shellsErr && (view.over == DrawnAs::automatic || view.under == DrawnAs::automatic))
+        better =
+            betterInShells(document, view, mirror, frameData(document, view, mirror, 0, view.size));
+    stats.inShells = drawnInShells(view, better);
+}
+
 void Renderer::Parts::drawSample(const Document& document, const View& view) {
     const auto start = Clock::now();
     blurred = view.detail.milliseconds > 0.0f && blurs;
@@ -251,14 +263,7 @@ void Renderer::Parts::drawSample(const Document& document, const View& view) {
     const auto choose = [&](const FrameData& frame, const Pelt& pelt, const InSight& seen) {
         return choice(view, frame, pelt, seen);
     };
-    if (samples == 0) {
-        stats.flipMeasured = false;
-        if (!asStrands(view).strands) stats.deviation = stats.flip = 0.0f;
-        const bool asked = view.over == DrawnAs::automatic || view.under == DrawnAs::automatic;
-        const FrameData frame = frameData(document, view, mirror, 0, canvas.size);
-        stats.inShells = drawnInShells(
-            view, asked && !shellsErr ? betterInShells(document, view, mirror, frame) : vec2(0.0f));
-    }
+    if (samples == 0) chooseShells(document, view);
     // What hair needs to keep to its time or its FLIP is chosen once the skin is drawn: for the
     // skin that of the last frame counts.
     const float last = blurred ? 0.5f * stats.deviation : stats.deviation;

@@ -1,9 +1,10 @@
 // dolly.cpp -- whether a camera that moves away sees the coats change from strands to shells.
 //
-// pelage_dolly TRIANGLES HAIRS SIZE SAMPLES NEAR FAR: 120 frames of the animal of so many triangles
-// and hairs, in square pictures of so many pixels, from NEAR to FAR times the distance that frames
-// it. For each frame how much of the coats is in shells, its time, and how much the picture changed
-// since the frame before: the sum of the differences in linear light, in sizes of the animal.
+// pelage_dolly TRIANGLES HAIRS SIZE SAMPLES NEAR FAR DETAIL: 120 frames of the animal of so many
+// triangles and hairs, in square pictures of so many pixels, from NEAR to FAR times the distance
+// that frames it, in a detail as of pelage render. For each frame how much of the coats is in
+// shells, its time, and how much the picture changed since the frame before: the sum of the
+// differences in linear light, in sizes of the animal.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -39,6 +40,7 @@ void travel(char** argv) {
     view.shells = Shells::swept;
     view.over = view.under = DrawnAs::automatic;
     view.transparent = true;
+    view.detail = detailFromText(argv[7]);
     view.camera = framedCamera(document, 0.61f, 0.21f, view.size);
     const double near = std::atof(argv[5]), far = std::atof(argv[6]);
     const auto framed = static_cast<double>(view.camera.distance);
@@ -77,8 +79,8 @@ void travel(char** argv) {
 }  // namespace pelage
 
 int main(int argc, char** argv) {
-    if (argc != 7) {
-        std::fprintf(stderr, "pelage_dolly TRIANGLES HAIRS SIZE SAMPLES NEAR FAR\n");
+    if (argc != 8) {
+        std::fprintf(stderr, "pelage_dolly TRIANGLES HAIRS SIZE SAMPLES NEAR FAR DETAIL\n");
         return 2;
     }
     try {

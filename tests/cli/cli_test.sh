@@ -251,6 +251,10 @@ json 'j.technique === "polyline/shells"' 'j.hairsDrawn > 0 && j.textureBytes > 0
     -- render --animal 2000 --hairs 3000 --size 64x64 --samples 1 --repeat 1 --under shells -o s.png --json
 json 'j.technique === "shells-plain/polyline"' 'j.hairsDrawn > 0' -- render --animal 2000 --hairs 3000 \
     --size 64x64 --samples 1 --repeat 1 --technique shells-plain --under strands -o s.png --json
+json 'j.technique === "auto" && j.inShells.join() === "0,0"' 'j.hairsDrawn > 0' -- render --animal 2000 \
+    --hairs 3000 --size 64x64 --samples 2 --repeat 1 --technique auto -o s.png --json
+json 'j.inShells[0] === 0 && j.inShells[1] > 0 && j.technique === "polyline/auto"' -- render --animal 2000 \
+    --hairs 300000 --size 64x64 --samples 2 --repeat 1 --under auto --detail share:1 -o s.png --json
 good render tetra.obj --size 32x32 --over shells --samples 1 -o s.png
 grep -q '^wrote s\.png: 32x32, .* hairs and shells, ' out.txt || fail "render: $(cat out.txt)"
 json 'j.technique === "reference" && j.samples === 4 && j.segments === 7' 'j.hairs > 400' \

@@ -165,7 +165,7 @@ TwoCoats denseCoats(float away) {
     TwoCoats scene;
     scene.document.fur.hairs = 400000;
     scene.view.over = scene.view.under = DrawnAs::automatic;
-    scene.view.detail.rule = Detail::Rule::distance;
+    scene.view.detail = {Detail::Rule::share, 1.0f, 0.0f};
     scene.view.samples = 16;
     scene.view.camera.distance *= away;
     return scene;
@@ -176,14 +176,14 @@ TEST(Technique, AutomaticIsStrandsCloseByAndShellsAfar) {
     TwoCoats scene = denseCoats(1.0f);
     const float framed = scene.view.camera.distance;
     float before = 0.0f;
-    for (float step = 0.0f; step < 5.5f; step += 0.1f) {
+    for (float step = 0.0f; step < 5.0f; step += 0.1f) {
         scene.view.camera.distance = framed * std::exp2(step - 3.0f);
         const vec2 shares = renderer.draw(scene.document, scene.view).inShells;
         if (step == 0.0f) {
             EXPECT_EQ(shares, vec2(0.0f));
         }
         EXPECT_GE(shares.y, before - 0.04f);
-        EXPECT_LE(shares.y, before + 0.25f);
+        EXPECT_LE(shares.y, before + 0.35f);
         before = shares.y;
     }
     EXPECT_EQ(before, 1.0f);
@@ -198,8 +198,8 @@ TEST(Technique, APictureInPartInShellsIsTheMeanOfBoth) {
     const float framed = scene.view.camera.distance;
     scene.view.showOver = false;
     float share = 0.0f;
-    for (float step = 0.0f; step < 3.0f && !(share > 0.3f && share < 0.7f); step += 0.05f) {
-        scene.view.camera.distance = framed * std::exp2(step - 1.0f);
+    for (float step = 0.0f; step < 4.0f && !(share > 0.3f && share < 0.7f); step += 0.05f) {
+        scene.view.camera.distance = framed * std::exp2(step - 3.0f);
         share = renderer.draw(scene.document, scene.view).inShells.y;
     }
     ASSERT_GT(share, 0.3f);
@@ -218,10 +218,11 @@ TEST(Technique, APictureInPartInShellsIsTheMeanOfBoth) {
 // What is measured has the last word: shells that break the FLIP that is asked for are given up.
 TEST(Technique, AutomaticKeepsTheFlipThatIsAskedFor) {
     Renderer renderer;
-    TwoCoats scene = denseCoats(4.0f);
-    scene.document.fur.hairs = 100000;
-    scene.view.samples = 4;
-    for (const float asked : {0.1f, 0.03f, 0.01f}) {
+    TwoCoats scene = denseCoats(2.0f);
+    scene.document.fur.hairs = 2000000;
+    scene.view.samples = 1;  // in shells entirely from a half on
+    float most = 0.0f;
+    for (const float asked : {0.2f, 0.125f}) {
         scene.view.detail = {Detail::Rule::flip, asked, 0.0f};
         const FrameStats stats = drawFinished(renderer, scene.document, scene.view);
         std::printf("FLIP %.2f asked, %.4f reached, %.2f and %.2f in shells\n",
@@ -229,7 +230,9 @@ TEST(Technique, AutomaticKeepsTheFlipThatIsAskedFor) {
                     static_cast<double>(stats.inShells.x), static_cast<double>(stats.inShells.y));
         EXPECT_TRUE(stats.flipMeasured);
         EXPECT_LE(stats.flip, asked);
+        most = std::max(most, stats.inShells.y);
     }
+    EXPECT_GT(most, 0.3f);
 }
 
 }  // namespace
