@@ -19,7 +19,7 @@ std::optional<DrawnAs> techniqueRow(const Ui& ui, const char* label, DrawnAs as,
     return static_cast<DrawnAs>(*other);
 }
 
-void drawTechniques(const Ui& ui, ViewOptions& view) {
+void drawTechniques(const Ui& ui, ViewOptions& view, vec2 inShells) {
     if (const auto as = techniqueRow(ui, "Overcoat", view.over,
                                      "Strands are single hairs. Shells are layers of the same "
                                      "hairs; they leave out clumps, curls and frizz. Automatic "
@@ -37,6 +37,10 @@ void drawTechniques(const Ui& ui, ViewOptions& view) {
                        .format = view.layers == 0 ? "automatic" : "%.0f",
                        .help = "Of shells, at least; 0 takes as many as the picture needs."}))
         view.layers = static_cast<int>(*layers + 0.5f);
+    if (view.over == DrawnAs::automatic || view.under == DrawnAs::automatic)
+        ImGui::TextDisabled("in shells: %.0f %% of overcoat, %.0f %% of undercoat",
+                            100.0 * static_cast<double>(inShells.x),
+                            100.0 * static_cast<double>(inShells.y));
 }
 
 // How many hairs, asked and achieved.
@@ -106,7 +110,7 @@ void drawView(App& app) {
         view.overlay = static_cast<Overlay>(*other);
 
     caption(ui, "TECHNIQUE");
-    drawTechniques(ui, view);
+    drawTechniques(ui, view, app.stats.inShells);
 
     caption(ui, "HAIRS");
     if (const auto segments =
