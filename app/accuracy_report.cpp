@@ -23,7 +23,10 @@ OrderedJson rowOf(const AccuracyPoint& point, const AccuracySubject& subject,
                        {"ms", point.ms()},
                        {"hairsTotal", stats.hairsTotal},
                        {"hairsDrawn", stats.hairsDrawn},
-                       {"segmentsDrawn", stats.segmentsDrawn}};
+                       {"segmentsDrawn", stats.segmentsDrawn},
+                       {"layers", stats.layers},
+                       {"textureBytes", stats.textureBytes},
+                       {"msShellPass", 1e3 * stats.shellSeconds}};
     row.update(errorsJson(point.errors, point.reference));
     row["device"] = device;
     return row;

@@ -15,6 +15,8 @@ namespace pelage {
 struct ViewOptions {
     Overlay overlay = Overlay::none;
     bool showSkin = true, showOver = true, showUnder = true;
+    DrawnAs over = DrawnAs::strands, under = DrawnAs::strands;
+    int layers = 0;                        // of shells, [0, 256]; 0 = as many as they need
     int segments = 8;                      // of a hair, [1, 16]
     Detail detail{.milliseconds = 45.0f};  // the time holds while the hand moves
     int samples = 16;                      // that the resting picture averages

@@ -162,6 +162,10 @@ View viewAtRest(const App& app) {
     view.showSkin = options.showSkin;
     view.showOver = options.showOver;
     view.showUnder = options.showUnder;
+    view.shells = Shells::swept;
+    view.over = options.over;
+    view.under = options.under;
+    view.layers = static_cast<uint>(options.layers);
     view.segments = static_cast<uint>(options.segments);
     view.seconds = options.windSeconds;
     view.detail = options.detail;

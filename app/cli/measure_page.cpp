@@ -94,6 +94,7 @@ std::string rowLine(const MeasuredEye& eye, const Measured& row, bool front, boo
            cell(textOf("%.1f", row.ms())) + cell(textOf("%.2f", row.msFrame)) +
            cell(textOf("%.2f", row.msLeast) + "&#8211;" + textOf("%.2f", row.msGreatest)) +
            cell(std::to_string(row.hairsDrawn)) + cell(std::to_string(row.segmentsDrawn)) +
+           cell(row.layers > 0 ? std::to_string(row.layers) : "&#8211;") +
            cell(textOf("%.1f", 1e-6 * static_cast<double>(row.bytes))) +
            error(row.drawing, references.drawing) + cell(textOf("%.3f", row.drawing.flip99)) +
            cell(textOf("%.3f", row.drawing.ssim)) +
@@ -104,9 +105,9 @@ std::string rowLine(const MeasuredEye& eye, const Measured& row, bool front, boo
 
 std::string rowTable(const MeasuredEye& eye) {
     std::string html =
-        "<table><tr><th colspan=\"8\"></th><th colspan=\"7\">drawing</th><th colspan=\"3\">light"
+        "<table><tr><th colspan=\"9\"></th><th colspan=\"7\">drawing</th><th colspan=\"3\">light"
         "</th></tr>\n<tr><th>technique</th><th>value</th><th>ms</th><th>ms a frame</th>"
-        "<th>least&#8211;most</th><th>hairs</th><th>segments</th><th>MB</th>"
+        "<th>least&#8211;most</th><th>hairs</th><th>segments</th><th>layers</th><th>MB</th>"
         "<th>RMSE</th><th>FLIP</th><th>bias, %</th><th>FLIP 99 "
         "%</th><th>SSIM</th><th>area</th><th>silhouette</th>"
         "<th>RMSE</th><th>FLIP</th><th>bias, %</th></tr>\n";

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "app/cli/cli.h"
@@ -25,11 +26,14 @@ constexpr std::pair<const char*, Shells> kShells[] = {{"shells", Shells::swept},
                                                       {"shells-plain", Shells::plain},
                                                       {"shells-instanced", Shells::instanced}};
 
+constexpr const char* kAutomatic = "auto";
+
 struct Options {
     InputOptions input;
     std::string output;
     std::string size = "900x900";
-    std::string technique;             // style of both coats; empty = each its own
+    std::string technique;             // of both coats; empty = each its own style
+    std::string over, under;           // of one coat: strands, shells, auto; empty = as both
     std::string clip;                  // name or number; empty = at rest
     float time = 0.0f;                 // s
     std::optional<float> distance;     // m
@@ -98,6 +102,25 @@ CLI::Validator between(float least, float greatest) {
             ""};
 }
 
+// None where the name is that of no shells.
+Shells shellsNamed(const std::string& name) {
+    for (const auto& [known, shells] : kShells)
+        if (name == known) return shells;
+    return Shells::none;
+}
+
+void setTechnique(View& view, const Options& options) {
+    const Shells both = shellsNamed(options.technique);
+    const auto as = [&](const std::string& coat) {
+        if ((coat.empty() ? options.technique : coat) == kAutomatic) return DrawnAs::automatic;
+        const bool shells = coat.empty() ? both != Shells::none : coat == "shells";
+        return shells ? DrawnAs::shells : DrawnAs::strands;
+    };
+    view.shells = both == Shells::none ? Shells::swept : both;
+    view.over = as(options.over);
+    view.under = as(options.under);
+}
+
 View viewOf(const Document& document, const Options& options) {
     View view;
     view.size = *parseSize(options.size);
@@ -105,8 +128,7 @@ View viewOf(const Document& document, const Options& options) {
     view.camera =
         framedCamera(document, glm::radians(options.yaw), glm::radians(options.pitch), view.size);
     view.detail = options.detail;
-    for (const auto& [name, shells] : kShells)
-        if (options.technique == name) view.shells = shells;
+    setTechnique(view, options);
     view.layers = *parseLayers(options.layers);
     view.transparent = options.transparent;
     if (options.distance) view.camera.distance = *options.distance;
@@ -123,12 +145,16 @@ std::shared_ptr<const Skin> standing(const Document& document, const Options& op
     }
 }
 
-// The hair styles by name: "ribbon", or "ribbon/polyline" for overcoat and undercoat.
-std::string techniqueOf(const Options& options, const Fur& fur) {
-    for (const auto& [name, shells] : kShells)
-        if (options.technique == name) return name;
-    const Parameter& row = styleRow();
-    const std::string over = row.choices[fur.over.style], under = row.choices[fur.under.style];
+// Styles and shells by name: "ribbon", or "ribbon/shells" for overcoat and undercoat.
+std::string techniqueOf(const View& view, const Fur& fur) {
+    const auto of = [&](DrawnAs as, const Coat& coat) -> std::string {
+        if (as == DrawnAs::automatic) return kAutomatic;
+        if (as == DrawnAs::strands) return styleRow().choices[coat.style];
+        for (const auto& [name, shells] : kShells)
+            if (view.shells == shells) return name;
+        return "";
+    };
+    const std::string over = of(view.over, fur.over), under = of(view.under, fur.under);
     return over == under ? over : over + "/" + under;
 }
 
@@ -138,7 +164,7 @@ OrderedJson jsonOf(const Options& options, const Document& document, const View&
     return {{"output", options.output},
             {"width", view.size.x},
             {"height", view.size.y},
-            {"technique", techniqueOf(options, document.fur)},
+            {"technique", techniqueOf(view, document.fur)},
             {"hairsTotal", stats.hairsTotal},
             {"detail", textOf(view.detail)},
             {"hairsTried", stats.hairsTried},
@@ -154,6 +180,7 @@ OrderedJson jsonOf(const Options& options, const Document& document, const View&
             {"deviation", stats.deviation},
             {"flip", stats.flip},
             {"samples", stats.samples},
+            {"inShells", {stats.inShells.x, stats.inShells.y}},
             {"layers", stats.layers},
             {"textureBytes", stats.textureBytes},
             {"msShellPass", 1e3 * stats.shellSeconds},
@@ -171,13 +198,15 @@ OrderedJson jsonOf(const Options& options, const Document& document, const View&
 std::string textOf(const OrderedJson& result) {
     char times[64];
     std::snprintf(times, sizeof times, "%.1f ms a frame", result["msFrame"].get<double>());
-    const bool inShells = result["technique"].get<std::string>().starts_with("shells");
+    const auto& shares = result["inShells"];
+    const bool shells = shares[0] > 0.0 || shares[1] > 0.0;
+    const bool strands = shares[0] < 1.0 || shares[1] < 1.0;
+    const std::string hairs =
+        result["hairsDrawn"].dump() + " of " + result["hairsTotal"].dump() + " hairs";
     return "wrote " + result["output"].get<std::string>() + ": " + result["width"].dump() + "x" +
-           result["height"].dump() + ", " +
-           (inShells
-                ? "in shells, "
-                : result["hairsDrawn"].dump() + " of " + result["hairsTotal"].dump() + " hairs, ") +
-           times + " on " + result["device"].get<std::string>() + "\n";
+           result["height"].dump() + ", " + (strands ? hairs : "in shells") +
+           (shells && strands ? " and shells, " : ", ") + times + " on " +
+           result["device"].get<std::string>() + "\n";
 }
 
 void render(const Options& options, bool json) {
@@ -188,7 +217,7 @@ void render(const Options& options, bool json) {
         traceReference(document, view, options.trace, options.output, json);
         return;
     }
-    if (!options.technique.empty() && view.shells == Shells::none)
+    if (std::ranges::count(styleRow().choices, options.technique) > 0)
         setParameter(document.fur, "both.style", options.technique);
     const HeadlessContext context;
     Renderer renderer;
@@ -196,8 +225,7 @@ void render(const Options& options, bool json) {
     writePicture(options.output, renderer, view.size);
     const std::vector<double> times = timeFrames(renderer, document, view, options.repeat);
     // Without the programs that the first frame makes.
-    if (view.shells != Shells::none)
-        stats.shellSeconds = renderer.draw(document, view).shellSeconds;
+    if (stats.shellSeconds > 0.0) stats.shellSeconds = renderer.draw(document, view).shellSeconds;
     const OrderedJson result = jsonOf(options, document, view, stats, times, renderer);
     if (json) {
         printJson(result);
@@ -223,11 +251,18 @@ void addRender(CLI::App& app, bool& json) {
     const auto styles = styleRow().choices;
     std::vector<std::string> techniques(styles.begin(), styles.end());
     for (const auto& [name, shells] : kShells) techniques.emplace_back(name);
+    techniques.emplace_back(kAutomatic);
     techniques.emplace_back(kReferenceTechnique);
     verb->add_option("--technique", options->technique,
                      "How hair is drawn, in place of the coats' own styles")
         ->type_name("NAME")
         ->check(CLI::IsMember(techniques));
+    for (const auto& [flag, coat, help] :
+         {std::tuple("--over", &options->over, "The overcoat, in place of the technique of both"),
+          {"--under", &options->under, "The undercoat, likewise"}})
+        verb->add_option(flag, *coat, help)
+            ->type_name("strands|shells|auto")
+            ->check(CLI::IsMember({"strands", "shells", kAutomatic}));
     verb->add_option("--layers", options->layers, "Of shells: how many at least, 0 to 256, or auto")
         ->type_name("N")
         ->capture_default_str()

@@ -67,6 +67,27 @@ constexpr std::array kSamples = {1, 4, 16, 64};
 
 void turnSamples(std::size_t value, Fur&, View& view) { view.samples = kSamples[value]; }
 
+constexpr std::array kCoatNames = {"strands", "strands/shells", "shells/strands", "shells"};
+
+void turnCoats(std::size_t value, Fur&, View& view) {
+    view.shells = Shells::swept;
+    view.over = value & 2 ? DrawnAs::shells : DrawnAs::strands;
+    view.under = value & 1 ? DrawnAs::shells : DrawnAs::strands;
+}
+
+constexpr std::array kLayerNames = {"8", "16", "32", "64"};
+constexpr std::array kLayers = {8u, 16u, 32u, 64u};
+
+template <Shells shells>
+void turnLayers(std::size_t value, Fur&, View& view) {
+    view.shells = shells;
+    view.over = view.under = DrawnAs::shells;
+    view.layers = kLayers[value];
+}
+
+constexpr const char* kShellsLack =
+    "clumps, curls and frizz; hairs stand elsewhere, and lean apart less";
+
 constexpr std::array kTechniques = {
     Technique{"hairs", "share of the hairs (they get wider)", true, kHairNames, turnHairs,
               "edges of pixels beyond 16 samples; 16 segments for a curve"},
@@ -88,6 +109,14 @@ constexpr std::array kTechniques = {
               "edges of pixels beyond 16 samples; what 8 sides lack of a round outline"},
     Technique{"samples", "frames in the mean", true, kSampleNames, turnSamples,
               "16 segments stand for a curve"},
+    Technique{"coats", "technique of overcoat/undercoat", false, kCoatNames, turnCoats,
+              kShellsLack},
+    Technique{"shells", "layers at least, hair whole between them", false, kLayerNames,
+              turnLayers<Shells::swept>, kShellsLack},
+    Technique{"shells-plain", "layers, hair cut at each of them", true, kLayerNames,
+              turnLayers<Shells::plain>, kShellsLack},
+    Technique{"shells-instanced", "layers, for each the skin drawn once", true, kLayerNames,
+              turnLayers<Shells::instanced>, kShellsLack},
 };
 
 constexpr std::array kNearnesses = {Nearness{"close", 0.25f}, Nearness{"middle", 1.0f},

@@ -94,6 +94,9 @@ Measured drawn(Renderer& renderer, Document document, const Trial& trial, std::s
     row.samples = picture->stats.samples;
     row.hairsDrawn = picture->stats.hairsDrawn;
     row.segmentsDrawn = picture->stats.segmentsDrawn;
+    row.layers = picture->stats.layers;
+    row.msShells = 1e3 * picture->stats.shellSeconds;
+    row.textureBytes = picture->stats.textureBytes;
     row.bytes = renderer.bytes();
     return row;
 }

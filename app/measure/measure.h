@@ -40,7 +40,10 @@ struct Measured {  // one value of a knob
     int samples = 0;             // frames in the mean
     std::size_t hairsDrawn = 0;  // that the skin did not hide
     std::size_t segmentsDrawn = 0;
-    std::size_t bytes = 0;  // of GPU memory
+    uint layers = 0;               // of shells, as asked; 0 = as many as they need, or none
+    double msShells = 0.0;         // of the last frame
+    std::size_t textureBytes = 0;  // of shells
+    std::size_t bytes = 0;         // of GPU memory
     Image image{};
     std::size_t reference = 0;  // number of those that it is held against
     ImageErrors drawing{};      // against the reference with the light of the live view

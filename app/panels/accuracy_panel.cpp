@@ -64,6 +64,16 @@ std::string askedText(const Detail& detail) {
     return text;
 }
 
+// "undercoat, 16 layers, 240 ms"
+std::string shellsText(const View& view, const FrameStats& stats) {
+    const bool over = view.showOver && stats.inShells.x > 0.0f;
+    const bool under = view.showUnder && stats.inShells.y > 0.0f;
+    if (!over && !under) return "none";
+    std::string text = over && under ? "both coats" : over ? "overcoat" : "undercoat";
+    if (stats.layers > 0) text += ", " + std::to_string(stats.layers) + " layers";
+    return text + number(", %.0f ms", 1e3 * stats.shellSeconds);
+}
+
 std::vector<Figure> costsOf(const App& app, const AccuracyPoint& view) {
     const FrameStats& stats = view.live.stats;
     const FrameStats& moving = app.movingStats;
@@ -75,6 +85,8 @@ std::vector<Figure> costsOf(const App& app, const AccuracyPoint& view) {
         {"Hairs drawn", grouped(stats.hairsDrawn) + " of " + grouped(stats.hairsTotal),
          "That the rule of detail left and the skin did not hide, of all that grow."},
         {"Segments", grouped(stats.segmentsDrawn), "Straight pieces of these hairs."},
+        {"Shells", shellsText(app.accuracy.subject().view, stats),
+         "Coats that are drawn in layers, and the time that these take of the frame."},
         {"Detail, asked", askedText(app.accuracy.subject().view.detail),
          "The rule under View, Hairs."},
         {"Detail, achieved", number("FLIP %.4f", view.errors.flipMean),

@@ -8,6 +8,41 @@ namespace pelage {
 
 namespace {
 
+std::optional<DrawnAs> techniqueRow(const Ui& ui, const char* label, DrawnAs as, const char* help) {
+    constexpr const char* kTechniques[] = {"Strands", "Shells", "Automatic"};
+    ImGui::PushID(label);
+    rowLabel(ui, label);
+    const auto other = choiceList(ui, "##technique", kTechniques, static_cast<int>(as));
+    tip(ui, help);
+    ImGui::PopID();
+    if (!other) return std::nullopt;
+    return static_cast<DrawnAs>(*other);
+}
+
+void drawTechniques(const Ui& ui, ViewOptions& view, vec2 inShells) {
+    if (const auto as = techniqueRow(ui, "Overcoat", view.over,
+                                     "Strands are single hairs. Shells are layers of the same "
+                                     "hairs; they leave out clumps, curls and frizz. Automatic "
+                                     "fades to shells where nobody sees it and they cost less."))
+        view.over = *as;
+    if (const auto as = techniqueRow(ui, "Undercoat", view.under,
+                                     "Strands over an undercoat of shells are one picture."))
+        view.under = *as;
+    if (view.over == DrawnAs::strands && view.under == DrawnAs::strands) return;
+    if (const auto layers =
+            numberRow(ui, "Layers", static_cast<float>(view.layers),
+                      {.least = 0,
+                       .greatest = 256,
+                       .fallback = 0,
+                       .format = view.layers == 0 ? "automatic" : "%.0f",
+                       .help = "Of shells, at least; 0 takes as many as the picture needs."}))
+        view.layers = static_cast<int>(*layers + 0.5f);
+    if (view.over == DrawnAs::automatic || view.under == DrawnAs::automatic)
+        ImGui::TextDisabled("in shells: %.0f %% of overcoat, %.0f %% of undercoat",
+                            100.0 * static_cast<double>(inShells.x),
+                            100.0 * static_cast<double>(inShells.y));
+}
+
 // How many hairs, asked and achieved.
 void drawDetail(const Ui& ui, Detail& detail, const FrameStats& stats) {
     std::array<const char*, kDetailRules.size()> rules{};
@@ -38,9 +73,13 @@ void drawDetail(const Ui& ui, Detail& detail, const FrameStats& stats) {
                        .help = "Time that one frame may take while you paint or turn the animal; "
                                "it is drawn more coarsely to keep it."}))
         detail.milliseconds = *time;
-    ImGui::TextDisabled("%.0f ms, %.0f %% of the hairs", 1e3 * stats.seconds,
-                        100.0 * static_cast<double>(stats.hairsTried) /
-                            static_cast<double>(std::max<std::size_t>(stats.hairsTotal, 1)));
+    if (stats.inShells != vec2(0.0f))
+        ImGui::TextDisabled("%.0f ms, %.0f of them for shells", 1e3 * stats.seconds,
+                            1e3 * stats.shellSeconds);
+    else
+        ImGui::TextDisabled("%.0f ms, %.0f %% of the hairs", 1e3 * stats.seconds,
+                            100.0 * static_cast<double>(stats.hairsTried) /
+                                static_cast<double>(std::max<std::size_t>(stats.hairsTotal, 1)));
     if (stats.deviation > 0.0f)
         ImGui::TextDisabled("to keep to %s up to %.2g pixels off",
                             detail.rule == Detail::Rule::flip ? "this" : "its time",
@@ -69,6 +108,9 @@ void drawView(App& app) {
     ImGui::SetNextItemWidth(-1);
     if (const auto other = choiceList(ui, "##overlay", kOverlays, static_cast<int>(view.overlay)))
         view.overlay = static_cast<Overlay>(*other);
+
+    caption(ui, "TECHNIQUE");
+    drawTechniques(ui, view, app.stats.inShells);
 
     caption(ui, "HAIRS");
     if (const auto segments =

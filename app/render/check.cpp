@@ -8,7 +8,7 @@ namespace pelage {
 namespace {
 
 Image imageOf(PostPass& picture, int samples, const Canvas& last) {
-    picture.display(samples, last.color, {}, mat4(1.0f), last.depth);
+    picture.display(samples, last.color, {}, mat4(1.0f), last.depthOfSkin());
     return linearImage({last.size, picture.pixels()});
 }
 

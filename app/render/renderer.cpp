@@ -10,6 +10,7 @@
 #include "app/render/canvas.h"
 #include "app/render/capabilities.h"
 #include "app/render/check.h"
+#include "app/render/coat_choice.h"
 #include "app/render/flip_budget.h"
 #include "app/render/frame_view.h"
 #include "app/render/post_pass.h"
@@ -41,6 +42,7 @@ struct PictureKey {
     bool showSkin, showOver, showUnder, culls, coarsens;
     Detail detail;
     Shells shells;
+    DrawnAs over, under;
     uint layers;
     uint segments, sides;
     float tolerance, seconds;
@@ -58,6 +60,8 @@ struct PictureKey {
           coarsens(v.coarsens),
           detail(v.detail),
           shells(v.shells),
+          over(v.over),
+          under(v.under),
           layers(v.layers),
           segments(v.segments),
           sides(v.sides),
@@ -77,16 +81,20 @@ void begin(PostPass& post, const View& view, const Box& box, ivec2 size) {
 
 // What was drawn of the hair.
 struct Sample {
-    InSight seen;
-    Choice chosen;
-    double strandSeconds = 0.0;
+    Coats coats;
     Box box;  // that the hair stays in
+    double strandSeconds = 0.0, shellSeconds = 0.0;
+    InSight seen{};
+    Choice chosen{};
 };
 
 // Whether the time of the hair is measured apart from that of the rest.
 bool isTimed(const Detail& detail) {
     return detail.milliseconds > 0.0f || detail.rule == Detail::Rule::flip;
 }
+
+// Where nothing is automatic but in shells.
+Coats asStrands(const View& view) { return coatsOf(view, drawnInShells(view, vec2(0.0f)), 0); }
 
 }  // namespace
 
@@ -110,8 +118,9 @@ struct Renderer::Parts {
     int samples = 0;
     bool single = false;
     bool linesShown = false;
-    bool blurred = false;  // the sample in the picture was drawn with fewer pixels
-    bool blurs = false;    // the next one is, if it is bound by time
+    bool blurred = false;    // the sample in the picture was drawn with fewer pixels
+    bool blurs = false;      // the next one is, if it is bound by time
+    bool shellsErr = false;  // more than is asked for, where they were chosen in this view
     FrameStats stats;
 
     void resize(ivec2 wanted) {
@@ -124,15 +133,17 @@ struct Renderer::Parts {
 
     void drawSkin(const Canvas& canvas, const FrameData& frame, const View& view, float deviation);
     Choice choice(const View& view, const FrameData& frame, const Pelt& pelt, const InSight& seen);
+    double drawShells(const Document& document, const View& view, FrameData frame, uint coats,
+                      Canvas& canvas);
     // What `choose` takes of what is seen, drawn into a canvas.
     template <typename Choose>
-    Sample draw(const Document& document, const View& view, const Canvas& canvas, int sample,
+    Sample draw(const Document& document, const View& view, Coats coats, Canvas& canvas, int sample,
                 float skinDeviation, const Choose& choose);
+    void chooseShells(const Document& document, const View& view);
     void drawSample(const Document& document, const View& view);
-    void drawShells(const Document& document, const View& view);
     bool mayCheck(const View& view) const;
     void drawCheck(const Document& document, const View& view);
-    void count(const InSight& seen, const Choice& chosen);
+    void count(const Sample& sample);
     void display(const View& view);
 };
 
@@ -183,20 +194,40 @@ Choice Renderer::Parts::choice(const View& view, const FrameData& frame, const P
     return choose(mirror.roots(), seen, sight, pelt, view.detail, deviation, otherwise);
 }
 
+// Fur in layers, before the skin in the bound framebuffer. Waits for the GPU; answers how long it
+// took, s.
+double Renderer::Parts::drawShells(const Document& document, const View& view, FrameData frame,
+                                   uint coats, Canvas& canvas) {
+    canvas.keepSkinDepth();
+    glFinish();
+    const auto start = Clock::now();
+    if (!shellPass) shellPass.emplace();
+    frame.coats = coats;
+    shellPass->draw(mirror, document, view, frame, frameBlock, canvas);
+    glFinish();
+    return secondsSince(start);
+}
+
+// Strands come after shells, whose depth is that of the skin to them.
 template <typename Choose>
-Sample Renderer::Parts::draw(const Document& document, const View& view, const Canvas& canvas,
-                             int sample, float skinDeviation, const Choose& choose) {
+Sample Renderer::Parts::draw(const Document& document, const View& view, Coats coats,
+                             Canvas& canvas, int sample, float skinDeviation,
+                             const Choose& choose) {
     FrameData frame = frameData(document, view, mirror, sample, canvas.size);
-    const Pelt pelt = peltOf(document.fur, frame.coats, frame.overWidth, frame.underWidth,
-                             document.skin->area, mirror.longestHair());
-    drawSkin(canvas, frame, view, skinDeviation);
-    const Box box = boxOf(sightOf(frame), pelt, mirror);
+    const auto peltFor = [&](uint bits) {
+        return peltOf(document.fur, bits, frame.overWidth, frame.underWidth, document.skin->area,
+                      mirror.longestHair());
+    };
+    Sample drawn{.coats = coats, .box = boxOf(sightOf(frame), peltFor(frame.coats), mirror)};
+    drawSkin(canvas, frame, view, coats.shells ? 0.0f : skinDeviation);
+    canvas.furry = false;
+    if (coats.shells) drawn.shellSeconds = drawShells(document, view, frame, coats.shells, canvas);
+    if (!coats.strands) return drawn;
+    const Pelt pelt = peltFor(coats.strands);
     const SkinDepth depth =
-        strandPass.begin(canvas.depth, frameBlock, canvas.size, box.lower, box.upper);
+        strandPass.begin(canvas.depth, frameBlock, canvas.size, drawn.box.lower, drawn.box.upper);
     // The parts of a frame can only be told apart where each waits for the one before.
     const auto start = Clock::now();
-    Sample drawn;
-    drawn.box = box;
     drawn.seen =
         lookAt(mirror.roots(), mirror.tufts(), pelt, sightOf(frame), view.culls ? &depth : nullptr);
     drawn.chosen = choose(frame, pelt, drawn.seen);
@@ -213,20 +244,33 @@ Sample Renderer::Parts::draw(const Document& document, const View& view, const C
     return drawn;
 }
 
+// For all samples of a picture.
+void Renderer::Parts::chooseShells(const Document& document, const View& view) {
+    stats.flipMeasured = false;
+    if (!asStrands(view).strands) stats.deviation = stats.flip = 0.0f;
+    vec2 better(0.0f);
+    if (!shellsErr && (view.over == DrawnAs::automatic || view.under == DrawnAs::automatic))
+        better =
+            betterInShells(document, view, mirror, frameData(document, view, mirror, 0, view.size));
+    stats.inShells = drawnInShells(view, better);
+}
+
 void Renderer::Parts::drawSample(const Document& document, const View& view) {
     const auto start = Clock::now();
     blurred = view.detail.milliseconds > 0.0f && blurs;
     if (blurred) coarse.resize((view.size + 1) / 2);
-    const Canvas& canvas = blurred ? coarse : fine;
+    Canvas& canvas = blurred ? coarse : fine;
     const auto choose = [&](const FrameData& frame, const Pelt& pelt, const InSight& seen) {
         return choice(view, frame, pelt, seen);
     };
+    if (samples == 0) chooseShells(document, view);
     // What hair needs to keep to its time or its FLIP is chosen once the skin is drawn: for the
     // skin that of the last frame counts.
     const float last = blurred ? 0.5f * stats.deviation : stats.deviation;
     const bool coarsens = view.coarsens && view.overlay == Overlay::none;
     const float skinDeviation = coarsens ? deviationOf(view.detail, last) : 0.0f;
-    const Sample sample = draw(document, view, canvas, samples, skinDeviation, choose);
+    const Sample sample = draw(document, view, coatsOf(view, stats.inShells, samples), canvas,
+                               samples, skinDeviation, choose);
     if (samples == 0) begin(postPass, view, sample.box, canvas.size);
     if (!single) postPass.accumulate(canvas.color, samples == 0);
     ++samples;
@@ -235,40 +279,19 @@ void Renderer::Parts::drawSample(const Document& document, const View& view) {
     stats.seconds = secondsSince(start);
     (blurred ? coarsePace : finePace)
         .learn(sample.chosen.work, sample.strandSeconds, stats.seconds - sample.strandSeconds);
-    count(sample.seen, sample.chosen);
-}
-
-// One sample in shells.
-void Renderer::Parts::drawShells(const Document& document, const View& view) {
-    const auto start = Clock::now();
-    blurred = false;
-    const FrameData frame = frameData(document, view, mirror, samples, fine.size);
-    const Pelt pelt = peltOf(document.fur, frame.coats, frame.overWidth, frame.underWidth,
-                             document.skin->area, mirror.longestHair());
-    stats = {};
-    drawSkin(fine, frame, view, 0.0f);
-    glFinish();
-    const auto shellStart = Clock::now();
-    if (!shellPass) shellPass.emplace();
-    shellPass->draw(mirror, document, view, frame, frameBlock, fine);
-    glFinish();
-    stats.shellSeconds = secondsSince(shellStart);
-    stats.hairsTotal = mirror.roots().roots.size();
-    stats.layers = shellPass->layers();
-    stats.textureBytes = shellPass->textureBytes();
-    if (samples == 0) begin(postPass, view, boxOf(sightOf(frame), pelt, mirror), fine.size);
-    if (!single) postPass.accumulate(fine.color, samples == 0);
-    stats.samples = ++samples;
-    display(view);
-    glFinish();
-    stats.seconds = secondsSince(start);
+    if (!sample.coats.strands) {
+        // Shells are coarser with fewer pixels only.
+        const double sharp = (blurred ? 4.0 : 1.0) * sample.shellSeconds;
+        blurs = sharp > 1e-3 * static_cast<double>(view.detail.milliseconds);
+    }
+    count(sample);
 }
 
 // Whether the picture, once it is complete, is to be held against that of all hairs. Not where it
 // had to keep to a time, nor where that would take too long.
 bool Renderer::Parts::mayCheck(const View& view) const {
     return view.detail.rule == Detail::Rule::flip && view.detail.milliseconds == 0.0f &&
-           view.shells == Shells::none && !stats.flipMeasured &&
+           asStrands(view).strands != 0 && !stats.flipMeasured &&
            finePace.secondsOf(flipBudget.workOfAll()) <= view.patience;
 }
 
@@ -281,7 +304,8 @@ void Renderer::Parts::drawCheck(const Document& document, const View& view) {
             return pelage::choose(mirror.roots(), seen, sightOf(frame), pelt,
                                   {.rule = Detail::Rule::all}, 0.0f, finenessOf(frame));
         };
-        const Sample sample = draw(document, view, check->canvas, check->samples, 0.0f, choose);
+        const Sample sample =
+            draw(document, view, asStrands(view), check->canvas, check->samples, 0.0f, choose);
         if (check->samples == 0) begin(check->post, view, sample.box, view.size);
         check->add();
         glFinish();
@@ -290,27 +314,34 @@ void Renderer::Parts::drawCheck(const Document& document, const View& view) {
     stats.flip = check->errorOf(postPass, fine);
     stats.flipMeasured = true;
     display(view);
-    if (flipBudget.learn(view.detail.limit, stats.flip, stats.deviation)) samples = 0;
+    const bool chosen = drawnInShells(view, vec2(0.0f)) != stats.inShells;
+    if (chosen) shellsErr = stats.flip > view.detail.limit;
+    if (chosen ? shellsErr : flipBudget.learn(view.detail.limit, stats.flip, stats.deviation))
+        samples = 0;
 }
 
-void Renderer::Parts::count(const InSight& seen, const Choice& chosen) {
-    const StrandPass::Counts counts = strandPass.counts();
+void Renderer::Parts::count(const Sample& sample) {
+    const auto counts = sample.coats.strands ? strandPass.counts() : StrandPass::Counts{};
     stats.hairsTotal = mirror.roots().roots.size();
     stats.hairsTried = counts.tried;
     stats.hairsDrawn = counts.hairs;
     stats.segmentsDrawn = counts.segments;
     stats.clusters = mirror.roots().clusters.size();
-    stats.clustersDrawn = chosen.clusters.size();
-    stats.clustersOutside = seen.outside;
-    stats.clustersHidden = seen.hidden;
-    stats.clustersSmall = chosen.small;
-    stats.clustersBald = seen.bald;
+    stats.clustersDrawn = sample.chosen.clusters.size();
+    stats.clustersOutside = sample.seen.outside;
+    stats.clustersHidden = sample.seen.hidden;
+    stats.clustersSmall = sample.chosen.small;
+    stats.clustersBald = sample.seen.bald;
+    stats.shellSeconds = sample.shellSeconds;
+    stats.layers = sample.coats.shells ? shellPass->layers() : 0;
+    stats.textureBytes = sample.coats.shells ? shellPass->textureBytes() : 0;
     stats.samples = samples;
 }
 
 void Renderer::Parts::display(const View& view) {
     const Canvas& canvas = blurred ? coarse : fine;
-    postPass.display(samples, canvas.color, view.lines, viewProjection(view, mirror), canvas.depth);
+    postPass.display(samples, canvas.color, view.lines, viewProjection(view, mirror),
+                     canvas.depthOfSkin());
 }
 
 Renderer::Renderer() {
@@ -332,6 +363,7 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
     const bool single = wanted == 1;
     if (changed || !p.key || !(*p.key == key)) {
         p.samples = 0;
+        p.shellsErr = false;
         if (p.check) p.check->samples = 0;
         p.flipBudget.begin();
     }
@@ -344,10 +376,7 @@ FrameStats Renderer::draw(const Document& document, const View& view) {
     p.single = single;
     p.resize(view.size);
 
-    const bool shells = view.shells != Shells::none && view.overlay == Overlay::none;
-    if (p.samples < wanted && shells)
-        p.drawShells(document, view);
-    else if (p.samples < wanted)
+    if (p.samples < wanted)
         p.drawSample(document, view);
     else if (p.mayCheck(view))
         p.drawCheck(document, view);

@@ -19,6 +19,8 @@ enum class Overlay { none, length, density, direction, mask, segment };
 // the layers; or the skin drawn once for each.
 enum class Shells { none, swept, plain, instanced };
 
+enum class DrawnAs { strands, shells, automatic };  // of a coat
+
 struct OverlayLine {        // drawn over everything, with the depth of the skin tested
     vec3 a{0.0f}, b{0.0f};  // world
     vec4 color{1.0f};       // display RGB, alpha
@@ -35,12 +37,13 @@ struct View {
     float seconds = 0.0f;    // how long the wind has blown
     std::shared_ptr<const Skin> posed;  // the document's skin as it stands (pose.h); null = at rest
     Shells shells = Shells::none;       // overlays are shown on single hairs in any case
-    uint layers = 0;                    // of shells, [0, 256]; 0 = as many as they need
-    Detail detail;                      // how many hairs, and how fine
-    bool coarsens = true;               // the skin too, where edges may be off; half as far
-    bool waits = true;                  // for coarser skin to be made; else draws finer till then
-    bool culls = true;                  // leaves out early what cannot be seen; changes no picture
-    int samples = 1;                    // frames that the still picture averages, [1, 1024]
+    DrawnAs over = DrawnAs::shells, under = DrawnAs::shells;  // where there are shells
+    uint layers = 0;        // of shells, [0, 256]; 0 = as many as they need
+    Detail detail;          // how many hairs, and how fine
+    bool coarsens = true;   // the skin too, where edges may be off; half as far
+    bool waits = true;      // for coarser skin to be made; else draws finer till then
+    bool culls = true;      // leaves out early what cannot be seen; changes no picture
+    int samples = 1;        // frames that the still picture averages, [1, 1024]
     double patience = 1e9;  // s that a frame of all hairs may take, for the error to be measured
     vec3 background{0.58f, 0.63f, 0.69f};  // linear RGB
     bool transparent = false;              // nothing is behind: the coverage is the alpha
@@ -66,6 +69,7 @@ struct FrameStats {
     bool flipMeasured = false;     // or as measured, once the picture is complete
     double seconds = 0.0;          // to the end of the GPU's work
     double shellSeconds = 0.0;     // of those, for the shells
+    vec2 inShells{0.0f};           // share of overcoat and undercoat in the picture, [0,1]
     uint layers = 0;               // of shells
     std::size_t textureBytes = 0;  // of shells
     int samples = 0;               // averaged in the picture so far

@@ -247,6 +247,16 @@ json 'j.technique === "shells" && j.layers === 12' 'j.textureBytes > 0 && j.msSh
     --layers 12 -o s.png --json
 good render tetra.obj --size 32x32 --technique shells-instanced --layers 3 --samples 1 -o s.png
 grep -q '^wrote s\.png: 32x32, in shells, ' out.txt || fail "render: $(cat out.txt)"
+json 'j.technique === "polyline/shells"' 'j.hairsDrawn > 0 && j.textureBytes > 0 && j.msShellPass > 0' \
+    -- render --animal 2000 --hairs 3000 --size 64x64 --samples 1 --repeat 1 --under shells -o s.png --json
+json 'j.technique === "shells-plain/polyline"' 'j.hairsDrawn > 0' -- render --animal 2000 --hairs 3000 \
+    --size 64x64 --samples 1 --repeat 1 --technique shells-plain --under strands -o s.png --json
+json 'j.technique === "auto" && j.inShells.join() === "0,0"' 'j.hairsDrawn > 0' -- render --animal 2000 \
+    --hairs 3000 --size 64x64 --samples 2 --repeat 1 --technique auto -o s.png --json
+json 'j.inShells[0] === 0 && j.inShells[1] > 0 && j.technique === "polyline/auto"' -- render --animal 2000 \
+    --hairs 300000 --size 64x64 --samples 2 --repeat 1 --under auto --detail share:1 -o s.png --json
+good render tetra.obj --size 32x32 --over shells --samples 1 -o s.png
+grep -q '^wrote s\.png: 32x32, .* hairs and shells, ' out.txt || fail "render: $(cat out.txt)"
 json 'j.technique === "reference" && j.samples === 4 && j.segments === 7' 'j.hairs > 400' \
     'j.noise > 0 && j.noise < 0.2 && j.rays > 4 * 48 * 32' \
     -- render --animal 2000 --hairs 500 --size 48x32 --technique reference --spp 3 --segments 7 \
@@ -284,6 +294,7 @@ done
 bad 2 'render .*--technique' render tetra.obj --technique magic -o never.png
 bad 2 'render .*--samples' render tetra.obj --samples 0 -o never.png
 bad 2 'render .*--layers' render tetra.obj --technique shells --layers 257 -o never.png
+bad 2 'render .*--over' render tetra.obj --over shells-plain -o never.png
 bad 2 'render .*--spp' render tetra.obj --technique reference --spp 0 -o never.png
 bad 2 'render .*--shadows' render tetra.obj --technique reference --shadows none -o never.png
 bad 2 'render .*--pitch' render tetra.obj --pitch nan -o never.png
@@ -360,6 +371,12 @@ head -1 new/r/report.csv | grep -q ',drawing.rmse,.*,light.rmse,' || fail "heads
 good measure tetra.obj --hairs 100 --views far --techniques distance --size 16 --spp 2 --repeat 1 -o new/r
 grep -q '^wrote report.html, .* to new/r: 1 pictures, views: 1$' out.txt || fail "measure: $(cat out.txt)"
 [ "$(ls new/r)" = $'plot.svg\nreport.csv\nreport.html\nreport.json' ] || fail "measure: $(ls new/r)"
+json 'j.rows.map(r => r.layers).join() === "8,16,32,64"' 'j.rows.every(r => r.msShellPass > 0)' \
+    'j.rows.every(r => r.hairsDrawn === 0 && r.textureBytes > 0)' \
+    -- measure tetra.obj --hairs 100 --views far --techniques shells-plain --size 16 --spp 2 --repeat 1 \
+    -o new/s --json
+head -1 new/s/report.csv | grep -q ',layers,textureBytes,msShellPass,' || fail "heads of report.csv"
+grep -q '<th>layers</th>' new/s/report.html || fail "heads of report.html"
 bad 2 'measure .*--views: .*close.*middle.*far' measure tetra.obj --views near -o never
 bad 2 'measure .*--techniques: .*hairs.*samples' measure tetra.obj --techniques hairs,magic -o never
 bad 2 'measure .*--spp' measure tetra.obj --spp 1 -o never
