@@ -15,6 +15,7 @@
 #include "shell_data.glsl"
 #include "shell_hair.glsl"
 #include "shell_shade.glsl"
+#include "shell_ray.glsl"
 
 #ifdef SKIN
 layout(early_fragment_tests) in;
@@ -31,54 +32,6 @@ const float kInSlab = 0.0;
 #endif
 // Of the way from root to root that a slab is long at most: two roots of a texel are then enough.
 const float kLongestSlab = 1.0;
-
-struct Ray {         // through the fur over a ball
-    float top;       // m, height where it begins
-    float bend;      // 1/m, curvature of the ball
-    float cosine;    // of its angle with the normal
-    float sine;
-    float far;       // 1 + bend * top
-};
-
-// Where the ray is at a height, m along it: on its way down, or up again; where it does not get so
-// low, where it is lowest.
-struct Way {
-    float way;
-    bool there;
-};
-Way wayTo(Ray r, float height, bool up) {
-    float drop = (r.top - height) * (2.0 + r.bend * (r.top + height));
-    float b = r.cosine * r.far;
-    float d = b * b - r.bend * drop;
-    float sum = b + sqrt(max(d, 0.0));
-    return Way(up || d <= 0.0 ? sum / r.bend : drop / sum, d > 0.0);
-}
-
-// How far on the skin the ray has come, m.
-float arcOf(Ray r, float way) {
-    float u = max(r.far - r.bend * way * r.cosine, 0.25);
-    float x = r.bend * way * r.sine / u;
-    return way * r.sine / (u * (1.0 + 0.28 * x * x));  // atan(x) = x / (1 + 0.28 x^2)
-}
-
-// Mean hair of a coat over a skin of unit normal n.
-struct Hair {
-    vec3 a, b;   // m, along the skin: t(1-t) a + t^2 b
-    float za;    // m, over the skin
-    float zb;
-};
-
-Hair hairOf(vec3 a, vec3 b, vec3 n) {
-    Hair h;
-    h.za = dot(a, n);
-    h.zb = dot(b, n);
-    h.a = a - h.za * n;
-    h.b = b - h.zb * n;
-    return h;
-}
-
-float heightAt(Hair h, float t) { return max(0.0, t * ((1.0 - t) * h.za + t * h.zb)); }
-vec3 asideAt(Hair h, float t) { return t * ((1.0 - t) * h.a + t * h.b); }
 
 // How hairs lean apart: together with their neighbors, so that none has to be looked for.
 struct Stray {
@@ -185,27 +138,8 @@ Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, vec3 
 void main() {
     vec3 n = safeUnit(normal, vec3(0.0, 1.0, 0.0));
     vec3 eye = safeUnit(toward, n);
-    Ray ray;
-    ray.top = top;
-    ray.cosine = dot(n, eye);
-    if (!(top > 0.0) || !(ray.cosine > 1e-3)) discard;
-    vec3 across = ray.cosine * n - eye;
-    ray.sine = sqrt(dot(across, across));
-    vec3 ahead = safeUnit(across, vec3(0.0));
-    vec3 below = place;
-#ifdef SKIN
-    // From the skin back to where the fur begins or the eye is, over a plane.
-    float back = top / max(ray.cosine, 0.15);
-    if (frame.perspective > 0.0) back = min(back, distance(frame.eye, outer));
-    ray.top = back * ray.cosine;
-    ray.bend = 0.0;
-    below -= (back * ray.sine) * ahead;
-#else
-    // Beyond these the skin folds over itself within the length of a hair.
-    ray.bend = clamp(bend, -0.5 / top, 8.0 / top);
-#endif
-    ray.far = 1.0 + ray.bend * ray.top;
-
+    Entry entry = entryOf(n, eye);
+    if (!entry.there) discard;
     float pixelsPerMetre = pixelsPerMetreAt(outer);
     Hit hit;
     hit.way = 1e30;
@@ -215,7 +149,7 @@ void main() {
         if (c == 0u) hair = hairOf(overA, overB, n);
         ShellCoat coat = shellUnder;
         if (c == 0u) coat = shellOver;
-        hit = march(ray, below, hair, coat, c, n, ahead, coat.width * pixelsPerMetre, hit);
+        hit = march(entry.ray, entry.below, hair, coat, c, n, entry.ahead, coat.width * pixelsPerMetre, hit);
     }
     if (hit.way > 1e29) discard;
     color = vec4(radianceOf(hit, n, eye), 1.0);

@@ -51,6 +51,9 @@ out float furLength;
 out vec3 tint;
 out vec3 bare;      // color of the skin without its texture
 out vec2 uv;
+#ifdef MAP
+out vec3 combed;    // where hair is combed
+#endif
 
 vec3 turned(vec3 v, vec4 q) {
     vec3 c = 2.0 * cross(q.xyz, v);
@@ -88,6 +91,9 @@ void main() {
     underB = turned(shell.underB, rest.turn);
     overAcross = turned(shell.overAcross, rest.turn);
     underAcross = turned(shell.underAcross, rest.turn);
+#ifdef MAP
+    combed = turned(painted.direction, rest.turn);
+#endif
     uv = cornerUv;
     tint = painted.tint;
     bare = materials[material].color * cornerColor.rgb;

@@ -32,9 +32,8 @@ struct Hit {
     bool over;
 };
 
-vec3 radianceOf(Hit hit, vec3 n, vec3 eye) {
-    Coat coat = fur.under;
-    if (hit.over) coat = fur.over;
+// What the light here makes of a hair of this color, under a coat of optical depth `depth`.
+vec3 litHair(Hit hit, Coat coat, vec3 base, float depth, vec3 n, vec3 eye) {
     Strand s;
     s.weightless = hit.over ? overA : underA;
     s.end = hit.over ? overB : underB;
@@ -50,20 +49,26 @@ vec3 radianceOf(Hit hit, vec3 n, vec3 eye) {
     s.curl = 0.0;
     s.frizz = 0.0;
     s.droop = kDroopPaper;
+    Light light = frame.light;  // as seen from the skin at rest
+    light.toKey = safeUnit(toKey, n);
+    light.sky = skyLight(frame.light, vec3(0.0, skyward, 0.0));
+    light.ground = light.sky;
+    if (coat.style == kStyleRibbon || coat.style == kStyleTube)
+        return roundRadiance(s, coat, light, base, hit.t, eye, depth);
+    return fiberRadiance(s, coat, light, base, hit.t, eye, depth);
+}
+
+vec3 radianceOf(Hit hit, vec3 n, vec3 eye) {
+    Coat coat = fur.under;
+    if (hit.over) coat = fur.over;
     vec3 skin = bare;
 #ifdef TEXTURED
     skin *= textureLod(baseColors, vec3(uv, layer), 0.0).rgb;
 #endif
     vec3 base = tint * mix(vec3(1.0), skin, fur.skinColor);
-    Light light = frame.light;  // as seen from the skin at rest
-    light.toKey = safeUnit(toKey, n);
-    light.sky = skyLight(frame.light, vec3(0.0, skyward, 0.0));
-    light.ground = light.sky;
     float depth = depthInCoat(fur, frame.hairsPerArea * density, furLength, frame.overWidth,
                               frame.underWidth, hit.over ? 0u : 1u, hit.t);
-    if (coat.style == kStyleRibbon || coat.style == kStyleTube)
-        return roundRadiance(s, coat, light, base, hit.t, eye, depth);
-    return fiberRadiance(s, coat, light, base, hit.t, eye, depth);
+    return litHair(hit, coat, base, depth, n, eye);
 }
 
 // Pixels that a metre is wide there.

@@ -8,10 +8,8 @@
 #include "app/cli/cli.h"
 #include "app/cli/print.h"
 #include "core/files.h"
-#include "core/photo_layers.h"
 #include "core/pixels.h"
-#include "core/shell_map.h"
-#include "core/srgb.h"
+#include "core/shell_source.h"
 
 namespace pelage {
 namespace {
@@ -175,15 +173,6 @@ void writePhoto(const Options& options, bool json) {
     } else {
         print(textOf(options, layers) + writtenText(options.folder, files));
     }
-}
-
-// Grey as it is displayed, which is what a painter of heights sees; 0 where there is nothing.
-Plane greyOf(const Image& image) {
-    Plane plane{image.size, {}};
-    for (const vec4& pixel : image.pixels)
-        plane.values.push_back(
-            pixel.a > 0.0f ? pixel.a * srgbFromLinear(luminance(vec3(pixel)) / pixel.a) : 0.0f);
-    return plane;
 }
 
 ShellMap mapOf(const Options& options) {

@@ -42,6 +42,7 @@ struct PictureKey {
     Detail detail;
     Shells shells;
     uint layers;
+    std::array<ShellSource, 2> maps;
     uint segments, sides;
     float tolerance, seconds;
     vec4 behind;
@@ -59,6 +60,7 @@ struct PictureKey {
           detail(v.detail),
           shells(v.shells),
           layers(v.layers),
+          maps(v.maps),
           segments(v.segments),
           sides(v.sides),
           tolerance(v.tolerance),

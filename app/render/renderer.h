@@ -1,6 +1,7 @@
 // renderer.h -- the frame: skin, hair, overlays, into a texture that a window or a file shows.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -10,6 +11,7 @@
 #include "app/render/camera.h"
 #include "core/detail.h"
 #include "core/document.h"
+#include "core/shell_source.h"
 
 namespace pelage {
 
@@ -36,6 +38,7 @@ struct View {
     std::shared_ptr<const Skin> posed;  // the document's skin as it stands (pose.h); null = at rest
     Shells shells = Shells::none;       // overlays are shown on single hairs in any case
     uint layers = 0;                    // of shells, [0, 256]; 0 = as many as they need
+    std::array<ShellSource, 2> maps;    // what shells of over- and undercoat are cut from
     Detail detail;                      // how many hairs, and how fine
     bool coarsens = true;               // the skin too, where edges may be off; half as far
     bool waits = true;                  // for coarser skin to be made; else draws finer till then
@@ -67,7 +70,7 @@ struct FrameStats {
     double seconds = 0.0;          // to the end of the GPU's work
     double shellSeconds = 0.0;     // of those, for the shells
     uint layers = 0;               // of shells
-    std::size_t textureBytes = 0;  // of shells
+    std::size_t textureBytes = 0;  // of shells: what they are cut from, all levels
     int samples = 0;               // averaged in the picture so far
     bool finished = false;         // nothing will change unless document or view do
 };

@@ -44,6 +44,15 @@ struct RestVertex {
 static_assert(sizeof(RestVertex) == 32 && sizeof(Curvature) == 32);
 constexpr std::size_t kShellVertexBytes = 96;
 
+// The uniform block of shaders/shell_map.glsl, as C++.
+struct ShellMapData {
+    vec4 tones{0.0f};
+    float side = 1.0f, gap = 1.0f;
+    uint layers = 1, coat = 0, photo = 0, regions = 1;
+    uint pad0 = 0, pad1 = 0;
+};
+static_assert(sizeof(ShellMapData) == 48);
+
 constexpr uint kFirstLayers = 32;  // where the skin is drawn once for each and none are asked for
 
 uint packed(const RootMap& map, uint number) {
@@ -141,29 +150,63 @@ void ShellPass::drawWith(const Mirror& mirror, const Pair& programs) const {
 
 // From the surface over the fur, then from the skin where that did not see its fur: where the eye
 // is in the fur, and in hollows, whose outer surface lies in other parts of the body.
-void ShellPass::drawMarched(const Mirror& mirror, bool plain) {
-    std::vector<std::string> defines;
-    if (plain) defines.emplace_back("PLAIN");
-    drawWith(mirror, programsOf("shell.frag", defines));
+void ShellPass::drawMarched(const Mirror& mirror, const char* fragment,
+                            std::vector<std::string> defines) {
+    drawWith(mirror, programsOf(fragment, defines));
     defines.emplace_back("SKIN");
     glDepthFunc(GL_LEQUAL);
-    drawWith(mirror, programsOf("shell.frag", defines));
+    drawWith(mirror, programsOf(fragment, defines));
     glDepthFunc(GL_LESS);
 }
 
-void ShellPass::drawLayers(const Mirror& mirror, uint coats) {
-    const Pair& programs = programsOf("shell_layer.frag", {"LAYER"});
-    for (uint coat = 0; coat < 2; ++coat) {
-        if (!(coats >> coat & 1u)) continue;
-        for (uint k = 0; k < layers_; ++k) {
-            for (const Program* program : {&programs.plain, &programs.textured}) {
-                const float t = (static_cast<float>(k) + 0.5f) / static_cast<float>(layers_);
-                glProgramUniform1f(program->name(), 2, t);
-                glProgramUniform1ui(program->name(), 3, coat);
-            }
-            drawWith(mirror, programs);
-        }
+void ShellPass::drawLayer(const Mirror& mirror, const Pair& programs, const Layer& layer) const {
+    for (const Program* program : {&programs.plain, &programs.textured}) {
+        glProgramUniform1f(program->name(), 2, layer.t);
+        glProgramUniform1ui(program->name(), 3, layer.coat);
+        glProgramUniform1ui(program->name(), 4, layer.k);
     }
+    drawWith(mirror, programs);
+}
+
+// The hairs of the tile.
+void ShellPass::drawRoots(const Mirror& mirror, const View& view, uint coats) {
+    textureBytes_ += tile_.bytes();
+    layers_ = view.layers;
+    if (view.shells != Shells::instanced) {
+        std::vector<std::string> defines;
+        if (view.shells == Shells::plain) defines.emplace_back("PLAIN");
+        return drawMarched(mirror, "shell.frag", std::move(defines));
+    }
+    if (layers_ == 0) layers_ = kFirstLayers;
+    const Pair& programs = programsOf("shell_layer.frag", {"LAYER"});
+    for (uint coat = 0; coat < 2; ++coat)
+        for (uint k = 0; (coats >> coat & 1u) && k < layers_; ++k)
+            drawLayer(mirror, programs,
+                      {coat, k, (static_cast<float>(k) + 0.5f) / static_cast<float>(layers_)});
+}
+
+// The last layer lies on the skin, and is to be seen there.
+void ShellPass::drawMap(const Mirror& mirror, const ShellSource& source, uint coat,
+                        bool instanced) {
+    ShellMapData data;
+    data.tones = vec4(source.tones[0], source.tones[1]);
+    data.side = source.side;
+    data.gap = source.gap;
+    data.layers = source.layers;
+    data.coat = coat;
+    data.photo = source.texture->photo ? 1 : 0;
+    data.regions = source.tones[1].y > 0.0f ? 2 : 1;
+    mapBlock_.upload(std::span<const ShellMapData>(&data, 1));
+    mapBlock_.bindUniform(binding::shellMap);
+    glBindTextureUnit(binding::shellPicture, pictures_.textureOf(source.texture).name());
+    layers_ = std::max(layers_, source.layers);
+    if (!instanced) return drawMarched(mirror, "shell_map.frag", {"MAP"});
+    const Pair& programs = programsOf("shell_map.frag", {"MAP", "LAYER"});
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(-1.0f, -1.0f);
+    for (uint k = 1; k <= source.layers; ++k)
+        drawLayer(mirror, programs, {coat, k, source.layerAt(k)});
+    glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 void ShellPass::draw(const Mirror& mirror, const Document& document, const View& view,
@@ -177,8 +220,8 @@ void ShellPass::draw(const Mirror& mirror, const Document& document, const View&
     data.coats = frame.coats & ((fur.share > 0.0f ? 1u : 0u) | (fur.share < 1.0f ? 2u : 0u));
     data.layers = view.layers;
     data.leastWidth = view.detail.rule == Detail::Rule::all ? 0.0f : 1.0f;
-    layers_ = view.layers;
-    if (view.shells == Shells::instanced && layers_ == 0) layers_ = kFirstLayers;
+    layers_ = 0;
+    textureBytes_ = 0;
     if (!(frame.hairsPerArea > 0.0f) || data.coats == 0) return;
     block_.upload(std::span<const ShellData>(&data, 1));
 
@@ -190,15 +233,21 @@ void ShellPass::draw(const Mirror& mirror, const Document& document, const View&
     rest_.bindStorage(binding::restVertices);
     tile_.bindStorage(binding::shellTile);
     findCurves(mirror, fur);
-    if (view.shells == Shells::instanced)
-        drawLayers(mirror, data.coats);
-    else
-        drawMarched(mirror, view.shells == Shells::plain);
+    uint mapped = 0;
+    for (uint coat = 0; coat < 2; ++coat)
+        if (view.maps[coat].texture) mapped |= data.coats & 1u << coat;
+    data.coats &= ~mapped;
+    block_.write(0, std::span<const ShellData>(&data, 1));
+    if (data.coats != 0) drawRoots(mirror, view, data.coats);
+    for (uint coat = 0; coat < 2; ++coat)
+        if (mapped >> coat & 1u)
+            drawMap(mirror, view.maps[coat], coat, view.shells == Shells::instanced);
+    textureBytes_ += pictures_.keep(view.maps);
 }
 
 std::size_t ShellPass::bytes() const {
-    return textureBytes() + vertices_.bytes() + rest_.bytes() + curvatures_.bytes() +
-           rodTable_.bytes();
+    return tile_.bytes() + pictures_.bytes() + vertices_.bytes() + rest_.bytes() +
+           curvatures_.bytes() + rodTable_.bytes();
 }
 
 }  // namespace pelage

@@ -12,6 +12,7 @@
 #include "app/render/mirror.h"
 #include "app/render/program.h"
 #include "app/render/renderer.h"
+#include "app/render/shell_pictures.h"
 
 namespace pelage {
 
@@ -23,8 +24,9 @@ public:
     void draw(const Mirror& mirror, const Document& document, const View& view,
               const FrameData& frame, const gl::Buffer& frameBlock);
 
-    uint layers() const { return layers_; }                     // of the last draw
-    std::size_t textureBytes() const { return tile_.bytes(); }  // of the tile of roots, all levels
+    // Of the last draw: layers, and bytes of the tile of roots or the pictures, all levels.
+    uint layers() const { return layers_; }
+    std::size_t textureBytes() const { return textureBytes_; }
     std::size_t bytes() const;
 
 private:
@@ -37,14 +39,23 @@ private:
     };
     const Pair& programsOf(const char* fragment, const std::vector<std::string>& defines);
     void drawWith(const Mirror& mirror, const Pair& programs) const;
-    void drawMarched(const Mirror& mirror, bool plain);
-    void drawLayers(const Mirror& mirror, uint coats);
+    void drawMarched(const Mirror& mirror, const char* fragment, std::vector<std::string> defines);
+    // Layer k of n of a coat, at t of its hair.
+    struct Layer {
+        uint coat, k;
+        float t;
+    };
+    void drawLayer(const Mirror& mirror, const Pair& programs, const Layer& layer) const;
+    void drawRoots(const Mirror& mirror, const View& view, uint coats);
+    void drawMap(const Mirror& mirror, const ShellSource& source, uint coat, bool instanced);
 
     Program curves_, rodCurves_;
     std::map<std::string, Pair> programs_;  // made when they are first needed
     gl::VertexArray vertexArray_;
-    gl::Buffer tile_, block_, vertices_, rest_, curvatures_, rodTable_;
+    gl::Buffer tile_, block_, mapBlock_, vertices_, rest_, curvatures_, rodTable_;
+    ShellPictures pictures_;
     uint layers_ = 0;
+    std::size_t textureBytes_ = 0;
     std::shared_ptr<const Skin> skin_;  // whose curvatures are known
 };
 
