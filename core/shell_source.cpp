@@ -169,7 +169,7 @@ Plane greyOf(const Image& image) {
 
 bool samePicture(const ShellRecipe& a, const ShellRecipe& b) {
     return a.from == b.from && a.file == b.file && a.photo.twoColors == b.photo.twoColors &&
-           a.noise == b.noise && a.cut == b.cut;
+           a.noise == b.noise;
 }
 
 ShellPicture shellPicture(const ShellRecipe& recipe) {
@@ -177,14 +177,14 @@ ShellPicture shellPicture(const ShellRecipe& recipe) {
     const auto shared = [](ShellTexture texture) {
         return std::make_shared<const ShellTexture>(std::move(texture));
     };
+    constexpr ShellCut kRanks{.coverage = 1.0f, .taper = 1.0f};
     const uint seed = recipe.noise.seed;
     if (recipe.from == ShellRecipe::From::noise)
-        return {{}, shared(heightTexture(rankedMap(noisePicture(recipe.noise), recipe.cut, seed)))};
+        return {{}, shared(heightTexture(rankedMap(noisePicture(recipe.noise), kRanks, seed)))};
     Image image = readImage(recipe.file);
     if (recipe.from == ShellRecipe::From::picture)
-        return {
-            {},
-            shared(heightTexture(rankedMap(greyOf(fitted(std::move(image))), recipe.cut, seed)))};
+        return {{},
+                shared(heightTexture(rankedMap(greyOf(fitted(std::move(image))), kRanks, seed)))};
     image = drawnPhoto(std::move(image));
     if (std::ranges::none_of(image.pixels, [](vec4 pixel) { return pixel.a > 0.0f; }))
         throw std::runtime_error(recipe.file + ": all of " + std::to_string(image.size.x) + "x" +
@@ -200,10 +200,12 @@ ShellSource shellSource(const ShellPicture& picture, const ShellRecipe& recipe,
     ShellSource source;
     source.texture = picture.texture;
     source.layers = static_cast<uint>(recipe.photo.layers);
+    source.cut = recipe.cut;
     source.gap = recipe.gap;
     source.side = recipe.side > 0.0f ? recipe.side : 0.2f * skinSize;
     for (std::size_t i = 0; i < layers.regions.size(); ++i)
-        source.tones[i] = {layers.regions[i].low, layers.regions[i].high};
+        if (layers.regions[i].low < layers.regions[i].high)
+            source.tones[i] = {layers.regions[i].low, layers.regions[i].high};
     return source;
 }
 

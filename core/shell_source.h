@@ -33,7 +33,8 @@ Image drawnPhoto(Image photo);
 // covers in the photograph, to a texel and the rounding to 8 bits.
 ShellTexture photoTexture(const Image& photo, std::span<const unsigned char> regions);
 
-// Heights and ids of hairs, as the map has them.
+// Of a map of full coverage that tapers to points: its heights, which are ranks (a share s of all
+// is higher than 1 - sqrt(s)), and the ids of its hairs.
 ShellTexture heightTexture(const ShellMap& map);
 
 // Grey as it is displayed, which is what a painter of heights sees; 0 where there is nothing.
@@ -44,9 +45,11 @@ Plane greyOf(const Image& image);
 struct ShellSource {
     std::shared_ptr<const ShellTexture> texture;  // null = hairs
     uint layers = 16;                             // 1 to kMostLayers
-    float gap = 1.0f;             // between two of them, of what fills the coat; (0,1]
-    float side = 0.0f;            // m, the shorter side of the picture on the skin
-    std::array<vec2, 2> tones{};  // of a photograph: low and high luminance of each region
+    ShellCut cut{};                               // of grey pictures
+    float gap = 1.0f;   // between two of them, of what fills the coat; (0,1]
+    float side = 0.0f;  // m, the shorter side of the picture on the skin
+    // Of a photograph: low and high luminance of each region; 0 = all of it is in layer 1.
+    std::array<vec2, 2> tones{};
 
     float layerAt(uint k) const {  // share of the hair's length, from its root
         return gap * (1.0f - static_cast<float>(k) / static_cast<float>(layers));
@@ -59,17 +62,18 @@ struct ShellRecipe {
     enum class From { hairs, photo, picture, noise };
 
     From from = From::hairs;
-    std::string file;    // of a photograph or picture
-    PhotoOptions photo;  // its layers are those of all kinds; never uniform
-    NoisePattern noise;
-    ShellCut cut;       // of noise and pictures
+    std::string file{};    // of a photograph or picture
+    PhotoOptions photo{};  // its layers are those of all kinds; never uniform
+    NoisePattern noise{};
+    ShellCut cut{};     // of noise and pictures
     float side = 0.0f;  // m; 0 = a fifth of the size of the skin
     float gap = 1.0f;
 
     bool operator==(const ShellRecipe&) const = default;
 };
 
-// What of it takes long to make, and does not depend on layers, range of tones, side and gap.
+// What of it takes long to make, and does not depend on layers, range of tones, cut,
+// side and gap.
 struct ShellPicture {
     Image photo;  // as drawn; empty for grey pictures
     std::shared_ptr<const ShellTexture> texture;

@@ -8,14 +8,33 @@
 #include "shell_shade.glsl"
 #include "shell_map.glsl"
 
+in vec3 combed;
 out vec4 color;
+
+// The light from a place of the picture in layer k. A photograph has the shade in its fur already.
+vec3 mapRadiance(MapCut cut, MapPlace at, float level, uint k, vec3 n, vec3 eye) {
+    Hit hit = Hit(0.0, mapLayerAt(k), 0.0, 0u, mapCoat == 0u);
+    if (mapPhoto == 0u) {
+        hit.id = mapId(mapTexel(at, level));
+        return radianceOf(hit, n, eye);
+    }
+    Coat coat = fur.under;
+    if (hit.over) coat = fur.over;
+    // White in the light of the studio shows the photograph about as it is.
+    coat.ambient = vec3(0.45);
+    coat.diffuse = vec3(0.6);
+    coat.specular = vec3(0.0);
+    coat.rootColor = coat.tipColor = vec3(1.0);
+    coat.colorNoise = coat.normalRandomness = 0.0;
+    return litHair(hit, coat, tint * cut.color, 0.0, n, eye);
+}
 
 #ifdef LAYER
 layout(location = 4) uniform uint mapLayer;
 
 void main() {
     vec3 n = safeUnit(normal, vec3(0.0, 1.0, 0.0));
-    vec2 at = mapPlace(place, n);
+    MapPlace at = mapPlace(place, n, combed);
     float level = mapLevel(pixelsPerMetreAt(outer));
     MapCut cut = mapCut(at, level, mapLayer, density);
     if (!(top > 0.0) || !cut.there) discard;
@@ -45,7 +64,7 @@ void main() {
     uint last = wayTo(ray, 0.0, false).there ? mapLayers : 2u * mapLayers - 1u;
     if (!(heightAt(hair, peak) > 0.0)) last = 0u;
     float nearest = 1e30;
-    vec2 where = vec2(0.0);
+    MapPlace where;
     uint found = 0u;
     MapCut seen;
     seen.there = false;
@@ -58,7 +77,7 @@ void main() {
         // The skin where the root is, about.
         vec3 rootNormal = normalize(n + ray.bend * (root - dot(root, n) * n));
         root = entry.below + root - (0.5 * ray.bend * dot(root, root)) * n;
-        vec2 there = mapPlace(root, rootNormal);
+        MapPlace there = mapPlace(root, rootNormal, combed);
         MapCut cut = mapCut(there, level, k, density);
         if (cut.there && at.there && at.way < nearest) {
             nearest = at.way;

@@ -14,14 +14,12 @@ layout(std140, binding = 3) uniform ShellMapBlock {
     float mapGap;      // of the hair's length that the layers fill
     uint mapLayers;
     uint mapCoat;      // 0 over, 1 under
-    uint mapPhoto;     // 1: colors, else heights and ids
-    uint mapRegions;   // of color
+    uint mapPhoto;     // 1: colors, else ranks and ids
     uint mapPad0;
-    uint mapPad1;
+    float mapCoverage; // of the skin, of heights: at the root,
+    float mapTaper;    // and how far hairs thin out towards the tip
 };
 layout(binding = 2) uniform sampler2D shellMap;
-
-in vec3 combed;
 
 const float kWave = 0.12;         // of the walls, in cells
 const float kPhotoCells = 2.2;    // on the shorter side of a photograph: turned cells fit into it
@@ -29,8 +27,15 @@ const float kCellReach = 1.7537;  // side of the square that holds them, sqrt(2)
 
 vec2 mapSize() { return vec2(textureSize(shellMap, 0)); }
 
-// Where a place on the skin, whose unit normal is n there, is in the picture.
-vec2 mapPlace(vec3 root, vec3 n) {
+// A place in the picture, and by how much the level is another one in its cell: from afar cells change
+// to coarser levels one after the other.
+struct MapPlace {
+    vec2 at;
+    float level;
+};
+
+// Of a place on the skin whose unit normal is n.
+MapPlace mapPlace(vec3 root, vec3 n, vec3 combed) {
     vec3 cells = root * (kPhotoCells / mapSide);
     vec3 cell = floor(cells + kWave * waves(cells));
     ivec3 at = ivec3(cell);
@@ -40,7 +45,8 @@ vec2 mapPlace(vec3 root, vec3 n) {
     uint axis = turn < shares.x ? 0u : (turn < shares.x + shares.y ? 1u : 2u);
     vec2 size = mapSize();
     vec2 sides = size / min(size.x, size.y);
-    if (mapPhoto == 0u) return alongAxis(root, axis).xy / (mapSide * sides);
+    float other = rand01(chance + 3u) - 0.5;
+    if (mapPhoto == 0u) return MapPlace(alongAxis(root, axis).xy / (mapSide * sides), other);
 
     // Where nothing is combed hair hangs.
     vec3 along = combed - 0.02 * vec3(0.0, 1.0, 0.0);
@@ -51,23 +57,29 @@ vec2 mapPlace(vec3 root, vec3 n) {
     vec2 inCell = alongAxis(cells - cell - 0.5, axis).xy;
     vec2 part = vec2(rand01(chance + 1u), rand01(chance + 2u)) - 0.5;
     vec2 room = kPhotoCells * sides - kCellReach;
-    return 0.5 + (vec2(dot(inCell, right), dot(inCell, down)) + part * room) / (kPhotoCells * sides);
+    vec2 turned = vec2(dot(inCell, right), dot(inCell, down)) + part * room;
+    return MapPlace(0.5 + turned / (kPhotoCells * sides), other);
 }
 
-// Level of the picture whose texels are as large as pixels.
+// Level of the picture whose texels are as large as pixels; < 0 where all are larger.
 float mapLevel(float pixelsPerMetre) {
     vec2 size = mapSize();
-    return max(0.0, log2(min(size.x, size.y) / (mapSide * pixelsPerMetre)));
+    return log2(min(size.x, size.y) / (mapSide * pixelsPerMetre));
 }
 
-// The texel in whose bounds a place is.
-vec4 mapTexel(vec2 at, float level) {
-    int whole = int(level + 0.5);
-    ivec2 size = textureSize(shellMap, whole);
-    return texelFetch(shellMap, min(ivec2(fract(at) * vec2(size)), size - 1), whole);
+// The texel in whose bounds a place is. Means of several would even out what is bright and dark.
+vec4 mapTexel(MapPlace place, float level) {
+    float whole = clamp(floor(level + place.level + 0.5), 0.0, float(textureQueryLevels(shellMap) - 1));
+    ivec2 size = textureSize(shellMap, int(whole));
+    return texelFetch(shellMap, min(ivec2(fract(place.at) * vec2(size)), size - 1), int(whole));
 }
 
-uint mapId(vec2 at, float level) { return uint(65535.0 * mapTexel(at, level).g + 0.5); }
+// With round outlines where texels are larger than pixels.
+vec4 mapSmooth(MapPlace place, float level, vec4 texel) {
+    return level < 0.0 ? textureLod(shellMap, place.at, 0.0) : texel;
+}
+
+uint mapId(vec4 texel) { return pcg(uint(65535.0 * texel.g + 0.5)); }
 
 // Luminance from which on a photograph has hair so far in from the tips, 1 = on the skin: light that
 // enters fur dies away exponentially (Ukaji and others, "Acquiring Shell Textures from a Single Image
@@ -76,60 +88,33 @@ float mapThreshold(vec2 tones, float depth) {
     return tones.y * pow(tones.x / max(tones.y, 1e-20), depth);
 }
 
+// t of the hair in layer k.
+float mapLayerAt(uint k) { return mapGap * (1.0 - float(k) / float(mapLayers)); }
+
 struct MapCut {
     bool there;
     vec3 color;  // of a photograph
 };
 
-// Layer k of the picture at a place where this share of the hairs grows.
-MapCut mapCut(vec2 at, float level, uint k, float grown) {
-    vec4 texel = textureLod(shellMap, at, level);
+// Layer k at a place of the picture where this share of the hairs grows.
+MapCut mapCut(MapPlace place, float level, uint k, float grown) {
+    vec4 texel = mapTexel(place, level);
+    vec4 even = mapSmooth(place, level, texel);
     float depth = float(k) / float(mapLayers);
     MapCut cut;
+    cut.color = even.rgb;
     if (mapPhoto == 0u) {
-        cut.there = texel.r >= max(1.0 - depth, 1e-3);
-        if (grown < 1.0) cut.there = cut.there && rand01(pcg(mapId(at, level))) < grown;
-        cut.color = vec3(1.0);
+        // A share s of the picture is higher than 1 - sqrt(s).
+        cut.there = even.r >= 1.0 - sqrt(mapCoverage) * (1.0 - mapTaper * (1.0 - depth));
+        if (grown < 1.0) cut.there = cut.there && rand01(mapId(texel)) < grown;
         return cut;
     }
     vec2 tones = mapTones.xy;
-    float alpha = texel.a;
-    if (mapRegions > 1u) {
-        alpha = mapTexel(at, level).a;
-        if (alpha < 0.75) tones = mapTones.zw;
-        alpha = alpha > 0.25 ? 1.0 : 0.0;
-    }
-    float light = dot(texel.rgb, vec3(2613072.0, 8788810.0, 887015.0) / 12288897.0);
+    if (texel.a < 0.75) tones = mapTones.zw;
+    float light = dot(cut.color, vec3(2613072.0, 8788810.0, 887015.0) / 12288897.0);
     bool reached = k == mapLayers || light >= mapThreshold(tones, depth);
     // Where not all grows the highest hairs are left, each as a whole.
     bool stands = grown >= 1.0 || light >= mapThreshold(tones, grown);
-    cut.there = alpha >= 0.5 && reached && stands && grown > 0.0;
-    cut.color = texel.rgb;
+    cut.there = texel.a > 0.25 && reached && stands && grown > 0.0;
     return cut;
-}
-
-// t of the hair in layer k.
-float mapLayerAt(uint k) { return mapGap * (1.0 - float(k) / float(mapLayers)); }
-
-// The light from a place of the picture in layer k. A photograph has the shade in its fur already.
-vec3 mapRadiance(MapCut cut, vec2 at, float level, uint k, vec3 n, vec3 eye) {
-    Hit hit;
-    hit.way = 0.0;
-    hit.t = mapLayerAt(k);
-    hit.across = 0.0;
-    hit.over = mapCoat == 0u;
-    if (mapPhoto == 0u) {
-        hit.id = pcg(mapId(at, level));
-        return radianceOf(hit, n, eye);
-    }
-    hit.id = 0u;
-    Coat coat = fur.under;
-    if (hit.over) coat = fur.over;
-    // White in the light of the studio shows the photograph about as it is.
-    coat.ambient = vec3(0.45);
-    coat.diffuse = vec3(0.6);
-    coat.specular = vec3(0.0);
-    coat.rootColor = coat.tipColor = vec3(1.0);
-    coat.colorNoise = coat.normalRandomness = 0.0;
-    return litHair(hit, coat, tint * cut.color, 0.0, n, eye);
 }

@@ -48,8 +48,8 @@ constexpr std::size_t kShellVertexBytes = 96;
 struct ShellMapData {
     vec4 tones{0.0f};
     float side = 1.0f, gap = 1.0f;
-    uint layers = 1, coat = 0, photo = 0, regions = 1;
-    uint pad0 = 0, pad1 = 0;
+    uint layers = 1, coat = 0, photo = 0, pad0 = 0;
+    float coverage = 1.0f, taper = 1.0f;
 };
 static_assert(sizeof(ShellMapData) == 48);
 
@@ -186,8 +186,7 @@ void ShellPass::drawRoots(const Mirror& mirror, const View& view, uint coats) {
 }
 
 // The last layer lies on the skin, and is to be seen there.
-void ShellPass::drawMap(const Mirror& mirror, const ShellSource& source, uint coat,
-                        bool instanced) {
+void ShellPass::drawMap(const Mirror& mirror, const ShellSource& source, uint coat, Shells shells) {
     ShellMapData data;
     data.tones = vec4(source.tones[0], source.tones[1]);
     data.side = source.side;
@@ -195,12 +194,15 @@ void ShellPass::drawMap(const Mirror& mirror, const ShellSource& source, uint co
     data.layers = source.layers;
     data.coat = coat;
     data.photo = source.texture->photo ? 1 : 0;
-    data.regions = source.tones[1].y > 0.0f ? 2 : 1;
+    data.coverage = source.cut.coverage;
+    data.taper = source.cut.taper;
     mapBlock_.upload(std::span<const ShellMapData>(&data, 1));
     mapBlock_.bindUniform(binding::shellMap);
     glBindTextureUnit(binding::shellPicture, pictures_.textureOf(source.texture).name());
     layers_ = std::max(layers_, source.layers);
-    if (!instanced) return drawMarched(mirror, "shell_map.frag", {"MAP"});
+    // The single pass knows the fur at the place where the ray enters it, not at each root: dots do
+    // not show that, but the hairs of a photograph bend with it.
+    if (shells == Shells::plain) return drawMarched(mirror, "shell_map.frag", {"MAP"});
     const Pair& programs = programsOf("shell_map.frag", {"MAP", "LAYER"});
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(-1.0f, -1.0f);
@@ -237,11 +239,12 @@ void ShellPass::draw(const Mirror& mirror, const Document& document, const View&
     for (uint coat = 0; coat < 2; ++coat)
         if (view.maps[coat].texture) mapped |= data.coats & 1u << coat;
     data.coats &= ~mapped;
+    // A photograph shows all of a fur.
+    if (mapped == 3u && view.maps[0] == view.maps[1] && view.maps[0].texture->photo) mapped = 1u;
     block_.write(0, std::span<const ShellData>(&data, 1));
     if (data.coats != 0) drawRoots(mirror, view, data.coats);
     for (uint coat = 0; coat < 2; ++coat)
-        if (mapped >> coat & 1u)
-            drawMap(mirror, view.maps[coat], coat, view.shells == Shells::instanced);
+        if (mapped >> coat & 1u) drawMap(mirror, view.maps[coat], coat, view.shells);
     textureBytes_ += pictures_.keep(view.maps);
 }
 

@@ -47,7 +47,7 @@ private:
     };
     void drawLayer(const Mirror& mirror, const Pair& programs, const Layer& layer) const;
     void drawRoots(const Mirror& mirror, const View& view, uint coats);
-    void drawMap(const Mirror& mirror, const ShellSource& source, uint coat, bool instanced);
+    void drawMap(const Mirror& mirror, const ShellSource& source, uint coat, Shells shells);
 
     Program curves_, rodCurves_;
     std::map<std::string, Pair> programs_;  // made when they are first needed
