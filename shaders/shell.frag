@@ -13,16 +13,15 @@
 #include "strand.glsl"
 #include "fiber.glsl"
 #include "shell_data.glsl"
+#include "shell_ground.glsl"
 #include "shell_hair.glsl"
 #include "shell_shade.glsl"
-#include "shell_ray.glsl"
 
-#ifdef SKIN
+layout(std430, binding = 7) readonly buffer Indices { uint indices[]; };  // of corners, by triangle
+layout(binding = 2) uniform usampler2D found;  // shell_over.frag
 layout(early_fragment_tests) in;
-#else
-layout(depth_greater) out float gl_FragDepth;
-#endif
-out vec4 color;
+layout(location = 0) out vec4 color;   // alpha 1 = hair, 0.5 = none down to the skin
+layout(location = 1) out float depth;  // in the window
 
 const uint kMostSteps = 256u;
 #ifdef PLAIN
@@ -33,6 +32,54 @@ const float kInSlab = 0.0;
 // Of the way from root to root that a slab is long at most: two roots of a texel are then enough.
 const float kLongestSlab = 1.0;
 
+struct Ray {         // through the fur over a ball
+    float top;       // m, height where it begins
+    float bend;      // 1/m, curvature of the ball
+    float cosine;    // of its angle with the normal
+    float sine;
+    float far;       // 1 + bend * top
+};
+
+// Where the ray is at a height, m along it: on its way down, or up again; where it does not get so
+// low, where it is lowest.
+struct Way {
+    float way;
+    bool there;
+};
+Way wayTo(Ray r, float height, bool up) {
+    float drop = (r.top - height) * (2.0 + r.bend * (r.top + height));
+    float b = r.cosine * r.far;
+    float d = b * b - r.bend * drop;
+    float sum = b + sqrt(max(d, 0.0));
+    return Way(up || d <= 0.0 ? sum / r.bend : drop / sum, d > 0.0);
+}
+
+// How far on the skin the ray has come, m.
+float arcOf(Ray r, float way) {
+    float u = max(r.far - r.bend * way * r.cosine, 0.25);
+    float x = r.bend * way * r.sine / u;
+    return way * r.sine / (u * (1.0 + 0.28 * x * x));  // atan(x) = x / (1 + 0.28 x^2)
+}
+
+// Mean hair of a coat over a skin of unit normal n.
+struct Hair {
+    vec3 a, b;   // m, along the skin: t(1-t) a + t^2 b
+    float za;    // m, over the skin
+    float zb;
+};
+
+Hair hairOf(vec3 a, vec3 b, vec3 n) {
+    Hair h;
+    h.za = dot(a, n);
+    h.zb = dot(b, n);
+    h.a = a - h.za * n;
+    h.b = b - h.zb * n;
+    return h;
+}
+
+float heightAt(Hair h, float t) { return max(0.0, t * ((1.0 - t) * h.za + t * h.zb)); }
+vec3 asideAt(Hair h, float t) { return t * ((1.0 - t) * h.a + t * h.b); }
+
 // How hairs lean apart: together with their neighbors, so that none has to be looked for.
 struct Stray {
     float reach;      // m, at the tip
@@ -41,7 +88,7 @@ struct Stray {
 
 // Waves of ten hairs; as far as a random end takes a hair on average, but never so far that hairs
 // would fold over each other.
-Stray strayOf(ShellCoat coat) {
+Stray strayOf(ShellCoat coat, float furLength) {
     const float kMeanOfBall = 0.4472136;  // root mean square of each coordinate, 1 / sqrt(5)
     const float kMeanOfWave = 0.7302967;  // of a parabola's waves, sqrt(8 / 15)
     float wave = 10.0 * coat.period / sqrt(float(kTileHairs));
@@ -69,13 +116,14 @@ float stepsFor(Ray ray, ShellCoat coat, float highest, float spacings) {
     return asked;
 }
 
-Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, vec3 n, vec3 ahead, float pixels,
+Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, Ground g, vec3 ahead, float pixels,
           Hit hit) {
+    vec3 n = g.normal;
     // Hair that hangs is highest before its tip; what is beyond comes in no order.
     float peak = hair.za > 2.0 * hair.zb ? 0.5 * hair.za / (hair.za - hair.zb) : 1.0;
     float highest = heightAt(hair, peak);
     Level level = levelFor(pixels);
-    Stray stray = strayOf(coat);
+    Stray stray = strayOf(coat, g.furLength);
     Way at = wayTo(ray, min(heightAt(hair, 1.0), ray.top), false);
     Way skin = wayTo(ray, 0.0, false);
     Slab slab;
@@ -83,7 +131,7 @@ Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, vec3 
     slab.t.y = 1.0;
     vec3 end = rootAt(ray, place, hair, stray, n, ahead, skin.way, 0.0);
     // The normal where the roots are, about.
-    Axes axes = axesOf(normalize(n + ray.bend * (0.5 * (slab.to + end) - place)), density);
+    Axes axes = axesOf(normalize(n + ray.bend * (0.5 * (slab.to + end) - place)), g.density);
 
     float spacing = coat.period * exp2(0.5 * float(level.tile)) / sqrt(float(kTileHairs));
     float asked = stepsFor(ray, coat, highest, distance(slab.to, end) / spacing);
@@ -135,26 +183,71 @@ Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, vec3 
     return hit;
 }
 
+// Shares of a triangle's corners at a pixel, from where they are in clip space.
+vec3 sharesAt(vec4 a, vec4 b, vec4 c) {
+    vec3 pixel = vec3(2.0 * gl_FragCoord.xy / vec2(frame.size) - 1.0, 1.0);
+    vec3 share = vec3(dot(pixel, cross(b.xyw, c.xyw)), dot(pixel, cross(c.xyw, a.xyw)),
+                      dot(pixel, cross(a.xyw, b.xyw)));
+    float sum = share.x + share.y + share.z;
+    if (sum < 0.0) share = -share;
+    share = max(share, 0.0);
+    sum = share.x + share.y + share.z;
+    return sum > 0.0 ? share / sum : vec3(1.0 / 3.0);
+}
+
+Ground groundBelow(uvec2 triangle) {
+    uint corner = 3u * (triangle.x - 1u);
+    Corner p = corners[indices[corner]];
+    Corner q = corners[indices[corner + 1u]];
+    Corner r = corners[indices[corner + 2u]];
+    ShellVertex a = shellVertices[p.skinVertex];
+    ShellVertex b = shellVertices[q.skinVertex];
+    ShellVertex c = shellVertices[r.skinVertex];
+    vec3 share = sharesAt(frame.viewProjection * vec4(outerOf(a), 1.0),
+                          frame.viewProjection * vec4(outerOf(b), 1.0),
+                          frame.viewProjection * vec4(outerOf(c), 1.0));
+    vec2 uv = share.x * p.uv + share.y * q.uv + share.z * r.uv;
+    vec3 bare = share.x * unpackUnorm4x8(p.color).rgb + share.y * unpackUnorm4x8(q.color).rgb +
+                share.z * unpackUnorm4x8(r.color).rgb;
+    return groundOf(a, b, c, share, bare * materialColor(triangle.y, uv));
+}
+
 void main() {
-    vec3 n = safeUnit(normal, vec3(0.0, 1.0, 0.0));
-    vec3 eye = safeUnit(toward, n);
-    Entry entry = entryOf(n, eye);
-    if (!entry.there) discard;
-    float pixelsPerMetre = pixelsPerMetreAt(outer);
+    Ground g = groundBelow(texelFetch(found, ivec2(gl_FragCoord.xy), 0).xy);
+    Ray ray;
+    ray.top = g.top;
+    ray.cosine = dot(g.normal, g.eye);
+    vec3 across = ray.cosine * g.normal - g.eye;
+    ray.sine = sqrt(dot(across, across));
+    vec3 ahead = safeUnit(across, vec3(0.0));
+    vec3 below = g.place;
+    float back = 0.0;  // m, from the surface to where the ray begins
+#ifdef SKIN
+    // From the skin back to where the fur begins or the eye is, over a plane.
+    back = g.top / max(ray.cosine, 0.15);
+    if (frame.perspective > 0.0) back = min(back, distance(frame.eye, g.outer));
+    ray.top = back * ray.cosine;
+    ray.bend = 0.0;
+    below -= (back * ray.sine) * ahead;
+#else
+    // Beyond these the skin folds over itself within the length of a hair.
+    ray.bend = clamp(g.bend, -0.5 / g.top, 8.0 / g.top);
+#endif
+    ray.far = 1.0 + ray.bend * ray.top;
+
+    float pixelsPerMetre = pixelsPerMetreAt(g.outer);
     Hit hit;
     hit.way = 1e30;
     for (uint c = 0u; c < 2u; ++c) {
         if ((shellCoats >> c & 1u) == 0u) continue;
-        Hair hair = hairOf(underA, underB, n);
-        if (c == 0u) hair = hairOf(overA, overB, n);
+        Hair hair = hairOf(g.underA, g.underB, g.normal);
+        if (c == 0u) hair = hairOf(g.overA, g.overB, g.normal);
         ShellCoat coat = shellUnder;
         if (c == 0u) coat = shellOver;
-        hit = march(entry.ray, entry.below, hair, coat, c, n, entry.ahead, coat.width * pixelsPerMetre, hit);
+        hit = march(ray, below, hair, coat, c, g, ahead, coat.width * pixelsPerMetre, hit);
     }
-    if (hit.way > 1e29) discard;
-    color = vec4(radianceOf(hit, n, eye), 1.0);
-#ifndef SKIN
-    vec4 clip = frame.viewProjection * vec4(outer - hit.way * toEye(outer), 1.0);
-    gl_FragDepth = max(gl_FragCoord.z, 0.5 + 0.5 * clip.z / clip.w);
-#endif
+    bool hits = hit.way < 1e29;
+    color = hits ? vec4(radianceOf(hit, g), 1.0) : vec4(0.5);
+    vec4 clip = frame.viewProjection * vec4(g.outer + (back - hit.way) * toEye(g.outer), 1.0);
+    depth = hits ? clamp(0.5 + 0.5 * clip.z / clip.w, 0.0, 1.0) : 1.0;
 }

@@ -8,7 +8,18 @@
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 8) writeonly buffer ShellVertices { ShellVertex shellVertices[]; };
-
+struct Curvature {  // core/curvature.h
+    float xx, xy, xz, yy;
+    float yz, zz, pad0, pad1;
+};
+layout(std430, binding = 9) readonly buffer Curvatures { Curvature curvatures[]; };
+struct RestVertex {  // the skin as it was at rest
+    vec3 position;   // m
+    uint pad0;
+    vec4 turn;       // as in ShellVertex
+};
+layout(std430, binding = 10) readonly buffer RestVertices { RestVertex restVertices[]; };
+layout(std430, binding = 11) writeonly buffer ShellCorners { ShellCorner shellCorners[]; };
 
 struct Curve {
     vec3 a, b;
@@ -38,6 +49,17 @@ void main() {
     vec3 n = safeUnit(skinVertices[v].normal, vec3(0.0, 1.0, 0.0));
     Curve over = meanCurve(fur.over, 1u, skinVertices[v], n, furVertices[v]);
     Curve under = meanCurve(fur.under, 2u, skinVertices[v], n, furVertices[v]);
-    shellVertices[v] = ShellVertex(over.a, max(heightOf(over, n), heightOf(under, n)), over.b, 0u,
-                                   under.a, 0u, under.b, 0u, over.across, 0u, under.across, 0u);
+    Curvature bend = curvatures[v];
+    RestVertex rest = restVertices[v];
+    vec4 q = rest.turn;
+    float density = furVertices[v].density;
+    float top = max(heightOf(over, n), heightOf(under, n));
+    vec3 position = skinVertices[v].position;
+    shellCorners[v] = ShellCorner(position + top * n, top, position, 0u, n, 0u);
+    shellVertices[v] = ShellVertex(
+        position, top, turned(n, q),
+        density > 0.0 ? min(density, 1.0) : 0.0, turned(over.a, q), furVertices[v].furLength,
+        turned(over.b, q), bend.xx, turned(under.a, q), bend.xy, turned(under.b, q), bend.xz,
+        turned(over.across, q), bend.yy, turned(under.across, q), bend.yz, rest.position, bend.zz,
+        furVertices[v].tint, 0u, q);
 }

@@ -1,20 +1,48 @@
 // shell_data.glsl -- what the passes that draw fur in shells share.
 
-// One per vertex of the skin: the mean hair of both coats, t(1-t) a + t^2 b from its root.
+// One per vertex of the skin: the mean hair of both coats, t(1-t) a + t^2 b from its root, and what
+// else a ray through them asks of the skin. As the skin is at rest, where hair stays in its place
+// however the skin moves, unless world is said.
 struct ShellVertex {
-    vec3 overA;  // m, world, as underA and both B
-    float top;   // m, how high they get over the skin
+    vec3 position;   // m, world
+    float top;       // m, how high its hair gets over the skin
+    vec3 normal;
+    float density;   // [0,1]
+    vec3 overA;      // m, as underA and both B
+    float furLength;
     vec3 overB;
-    uint pad0;
+    float bendXX;    // 1/m, world: core/curvature.h
     vec3 underA;
-    uint pad1;
+    float bendXY;
     vec3 underB;
-    uint pad2;
-    vec3 overAcross;  // unit, across the plane in which the hair bends
-    uint pad3;
+    float bendXZ;
+    vec3 overAcross; // unit, across the plane in which the hair bends
+    float bendYY;
     vec3 underAcross;
-    uint pad4;
+    float bendYZ;
+    vec3 place;      // m
+    float bendZZ;
+    vec3 tint;
+    uint pad0;
+    vec4 turn;       // unit quaternion: from the world to the skin at rest
 };
+
+// One per vertex of the skin, for drawing; world.
+struct ShellCorner {
+    vec3 outer;     // where its fur begins
+    float top;
+    vec3 position;
+    uint pad0;
+    vec3 normal;
+    uint pad1;
+};
+
+// By a unit quaternion.
+vec3 turned(vec3 v, vec4 q) {
+    vec3 c = 2.0 * cross(q.xyz, v);
+    return v + q.w * c + cross(q.xyz, c);
+}
+vec3 turnedBack(vec3 v, vec4 q) { return turned(v, vec4(-q.xyz, q.w)); }
 
 struct ShellCoat {    // of one coat
     float period;     // m, side of the tile of roots

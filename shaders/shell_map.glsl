@@ -11,10 +11,8 @@
 layout(std140, binding = 3) uniform ShellMapBlock {
     vec4 mapTones;     // of a photograph: low and high luminance of region 0, then of region 1
     float mapSide;     // m, the shorter side of the picture
-    float mapGap;      // of the hair's length that the layers fill
-    uint mapLayers;
-    uint mapCoat;      // 0 over, 1 under
     uint mapPhoto;     // 1: colors, else ranks and ids
+    uint mapLayers;
     uint mapPad0;
     float mapCoverage; // of the skin, of heights: at the root,
     float mapTaper;    // and how far hairs thin out towards the tip
@@ -79,8 +77,6 @@ vec4 mapSmooth(MapPlace place, float level, vec4 texel) {
     return level < 0.0 ? textureLod(shellMap, place.at, 0.0) : texel;
 }
 
-uint mapId(vec4 texel) { return pcg(uint(65535.0 * texel.g + 0.5)); }
-
 // Luminance from which on a photograph has hair so far in from the tips, 1 = on the skin: light that
 // enters fur dies away exponentially (Ukaji and others, "Acquiring Shell Textures from a Single Image
 // for Realistic Fur Rendering").
@@ -88,12 +84,10 @@ float mapThreshold(vec2 tones, float depth) {
     return tones.y * pow(tones.x / max(tones.y, 1e-20), depth);
 }
 
-// t of the hair in layer k.
-float mapLayerAt(uint k) { return mapGap * (1.0 - float(k) / float(mapLayers)); }
-
 struct MapCut {
     bool there;
     vec3 color;  // of a photograph
+    uint id;     // of the hair, of other pictures
 };
 
 // Layer k at a place of the picture where this share of the hairs grows.
@@ -103,10 +97,11 @@ MapCut mapCut(MapPlace place, float level, uint k, float grown) {
     float depth = float(k) / float(mapLayers);
     MapCut cut;
     cut.color = even.rgb;
+    cut.id = pcg(uint(65535.0 * texel.g + 0.5));
     if (mapPhoto == 0u) {
         // A share s of the picture is higher than 1 - sqrt(s).
         cut.there = even.r >= 1.0 - sqrt(mapCoverage) * (1.0 - mapTaper * (1.0 - depth));
-        if (grown < 1.0) cut.there = cut.there && rand01(mapId(texel)) < grown;
+        if (grown < 1.0) cut.there = cut.there && rand01(cut.id) < grown;
         return cut;
     }
     vec2 tones = mapTones.xy;

@@ -1,28 +1,4 @@
-// shell_shade.glsl -- what a place on the skin knows of its fur (shell.vert), and the look of a hair
-// that a shell shows there.
-
-in vec3 outer;
-in vec3 place;
-in vec3 normal;
-in vec3 toward;
-in vec3 toKey;
-in vec3 overA;
-in vec3 overB;
-in vec3 underA;
-in vec3 underB;
-in vec3 overAcross;
-in vec3 underAcross;
-in float top;
-in float bend;
-in float skyward;
-in float density;
-in float furLength;
-in vec3 tint;
-in vec3 bare;
-in vec2 uv;
-#ifdef TEXTURED
-layout(location = 1) uniform float layer;  // of the base-color textures
-#endif
+// shell_shade.glsl -- the look of a hair that a shell shows at a place on the skin.
 
 struct Hit {
     float way;     // m along the ray; 1e30 = none
@@ -33,11 +9,12 @@ struct Hit {
 };
 
 // What the light here makes of a hair of this color, under a coat of optical depth `depth`.
-vec3 litHair(Hit hit, Coat coat, vec3 base, float depth, vec3 n, vec3 eye) {
+vec3 litHair(Hit hit, Coat coat, vec3 base, float depth, Ground g) {
+    vec3 n = g.normal;
     Strand s;
-    s.weightless = hit.over ? overA : underA;
-    s.end = hit.over ? overB : underB;
-    s.binormal = safeUnit(hit.over ? overAcross : underAcross, anyTangent(n));
+    s.weightless = hit.over ? g.overA : g.underA;
+    s.end = hit.over ? g.overB : g.underB;
+    s.binormal = safeUnit(hit.over ? g.overAcross : g.underAcross, anyTangent(n));
     float twist = 3.1415927 * within(coat.normalRandomness, 0.0, 1.0) *
                   (2.0 * rand01(hit.id + kDrawTwist) - 1.0);
     s.cosTwist = cos(twist);
@@ -50,25 +27,21 @@ vec3 litHair(Hit hit, Coat coat, vec3 base, float depth, vec3 n, vec3 eye) {
     s.frizz = 0.0;
     s.droop = kDroopPaper;
     Light light = frame.light;  // as seen from the skin at rest
-    light.toKey = safeUnit(toKey, n);
-    light.sky = skyLight(frame.light, vec3(0.0, skyward, 0.0));
+    light.toKey = safeUnit(g.toKey, n);
+    light.sky = skyLight(frame.light, vec3(0.0, g.skyward, 0.0));
     light.ground = light.sky;
     if (coat.style == kStyleRibbon || coat.style == kStyleTube)
-        return roundRadiance(s, coat, light, base, hit.t, eye, depth);
-    return fiberRadiance(s, coat, light, base, hit.t, eye, depth);
+        return roundRadiance(s, coat, light, base, hit.t, g.eye, depth);
+    return fiberRadiance(s, coat, light, base, hit.t, g.eye, depth);
 }
 
-vec3 radianceOf(Hit hit, vec3 n, vec3 eye) {
+vec3 radianceOf(Hit hit, Ground g) {
     Coat coat = fur.under;
     if (hit.over) coat = fur.over;
-    vec3 skin = bare;
-#ifdef TEXTURED
-    skin *= textureLod(baseColors, vec3(uv, layer), 0.0).rgb;
-#endif
-    vec3 base = tint * mix(vec3(1.0), skin, fur.skinColor);
-    float depth = depthInCoat(fur, frame.hairsPerArea * density, furLength, frame.overWidth,
+    vec3 base = g.tint * mix(vec3(1.0), g.bare, fur.skinColor);
+    float depth = depthInCoat(fur, frame.hairsPerArea * g.density, g.furLength, frame.overWidth,
                               frame.underWidth, hit.over ? 0u : 1u, hit.t);
-    return litHair(hit, coat, base, depth, n, eye);
+    return litHair(hit, coat, base, depth, g);
 }
 
 // Pixels that a metre is wide there.

@@ -49,12 +49,15 @@ void drawHistogram(const Ui& ui, const PhotoLayers& layers) {
     }
     // One below the other, so that the lines of both regions can be told apart.
     const float part = height / static_cast<float>(layers.regions.size());
-    for (std::size_t r = 0; r < layers.regions.size(); ++r)
+    for (std::size_t r = 0; r < layers.regions.size(); ++r) {
+        ImVec4 ink = kRegionColors[r];
+        ink.w = layers.layers > 32 ? 0.5f : 0.9f;
         for (const float threshold : layers.regions[r].thresholds) {
             const float x = corner.x + width * srgbFromLinear(threshold);
             const float top = corner.y + static_cast<float>(r) * part;
-            draw.AddLine({x, top}, {x, top + part}, ImGui::GetColorU32(kRegionColors[r]));
+            draw.AddLine({x, top}, {x, top + part}, ImGui::GetColorU32(ink));
         }
+    }
 }
 
 void drawPhoto(const Ui& ui, ShellChoice& choice) {
@@ -103,7 +106,7 @@ void drawLayers(const Ui& ui, ShellChoice& choice) {
                       {u(column + 1), v(row + 1)}, IM_COL32_WHITE);
         if (!ImGui::IsItemHovered()) continue;
         draw.AddRect(corner, end, ImGui::GetColorU32(color::kAccent));
-        ImGui::SetTooltip("Layer %d of %d: %s of the pixels, with those outside it", i + 1,
+        ImGui::SetTooltip("Layer %d of %d adds %s of the pixels to those outside it", i + 1,
                           layers.layers,
                           percent(layers.populations[static_cast<std::size_t>(i)], all).c_str());
     }

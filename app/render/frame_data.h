@@ -41,6 +41,7 @@ enum Storage : unsigned {
     materials = 5,
     mask = 6,
     roots = 7,
+    indices = 7,  // never with roots
     keys = 8,
     shellVertices = 8,  // never with keys
     runs = 9,
@@ -49,6 +50,7 @@ enum Storage : unsigned {
     restVertices = 10,  // never with counters
     lines = 11,
     seen = 11,  // never with lines
+    shellCorners = 11,  // never with seen
     groups = 12,
     shellTile = 12,  // never with groups
     segmentOf = 13,

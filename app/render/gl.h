@@ -49,7 +49,11 @@ struct VertexArrayKind {
 struct ProgramKind {
     static void remove(GLuint name) { glDeleteProgram(name); }
 };
+struct QueryKind {
+    static void remove(GLuint name) { glDeleteQueries(1, &name); }
+};
 
+using Query = Object<QueryKind>;
 using Texture = Object<TextureKind>;
 using Framebuffer = Object<FramebufferKind>;
 using VertexArray = Object<VertexArrayKind>;
@@ -113,6 +117,12 @@ inline Framebuffer makeFramebuffer(const Texture& color, const Texture* depth = 
     glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT0, color.name(), 0);
     if (depth) glNamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, depth->name(), 0);
     return Framebuffer(name);
+}
+
+inline Query makeQuery(GLenum target) {
+    GLuint name = 0;
+    glCreateQueries(target, 1, &name);
+    return Query(name);
 }
 
 inline VertexArray makeVertexArray() {

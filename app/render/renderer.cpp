@@ -252,7 +252,7 @@ void Renderer::Parts::drawShells(const Document& document, const View& view) {
     glFinish();
     const auto shellStart = Clock::now();
     if (!shellPass) shellPass.emplace();
-    shellPass->draw(mirror, document, view, frame, frameBlock);
+    shellPass->draw(mirror, document, view, frame, frameBlock, fine);
     glFinish();
     stats.shellSeconds = secondsSince(shellStart);
     stats.hairsTotal = mirror.roots().roots.size();

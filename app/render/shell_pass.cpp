@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -21,6 +20,17 @@ namespace {
 // As in shaders/shell_hair.glsl.
 constexpr uint kTileHairs = 1024, kTileSide = 256, kTileLevels = 9;
 constexpr float kTileExcess = 1.28f;
+
+// As in shaders/shell_data.glsl.
+struct ShellCorner {
+    vec3 outer;
+    float top;
+    vec3 position;
+    uint pad0;
+    vec3 normal;
+    uint pad1;
+};
+static_assert(sizeof(ShellCorner) == 48);
 
 // The uniform block of shaders/shell_data.glsl, as C++.
 struct ShellCoat {
@@ -42,14 +52,15 @@ struct RestVertex {
     vec4 turn{0.0f, 0.0f, 0.0f, 1.0f};
 };
 static_assert(sizeof(RestVertex) == 32 && sizeof(Curvature) == 32);
-constexpr std::size_t kShellVertexBytes = 96;
+constexpr std::size_t kShellVertexBytes = 176;
 
 // The uniform block of shaders/shell_map.glsl, as C++.
 struct ShellMapData {
     vec4 tones{0.0f};
-    float side = 1.0f, gap = 1.0f;
-    uint layers = 1, coat = 0, photo = 0, pad0 = 0;
+    float side = 1.0f;
+    uint photo = 0, layers = 1, pad0 = 0;
     float coverage = 1.0f, taper = 1.0f;
+    uint pad1 = 0, pad2 = 0;
 };
 static_assert(sizeof(ShellMapData) == 48);
 
@@ -89,7 +100,22 @@ RestVertex restOf(const Skin& shown, const Skin& atRest, uint v) {
 ShellPass::ShellPass()
     : curves_(Program::compute("shell_curves.comp")),
       rodCurves_(Program::compute("shell_curves.comp", {"RODS"})),
-      vertexArray_(cornerArray()) {
+      over_(Program::draw("shell_over.vert", "shell_over.frag")),
+      skin_(Program::draw("shell_over.vert", "shell_over.frag", {"SKIN"})),
+      layer_(Program::draw("shell_layer.vert", "shell_layer.frag")),
+      show_(Program::draw("screen.vert", "shell_show.frag")),
+      sweptMarch_(Program::draw("screen.vert", "shell.frag")),
+      sweptFromSkin_(Program::draw("screen.vert", "shell.frag", {"SKIN"})),
+      plainMarch_(Program::draw("screen.vert", "shell.frag", {"PLAIN"})),
+      plainFromSkin_(Program::draw("screen.vert", "shell.frag", {"PLAIN", "SKIN"})),
+      layerArray_(cornerArray()),
+      surfaceArray_(gl::makeVertexArray()) {
+    const GLuint name = surfaceArray_.name();
+    for (const GLuint attribute : {0u, 1u, 2u}) {
+        glEnableVertexArrayAttrib(name, attribute);
+        glVertexArrayAttribBinding(name, attribute, 0);
+    }
+
     rodTable_.upload(std::span(rodTable(), kRodNodes * kRodNodes * kRodTexels));
     makeTile();
 }
@@ -107,112 +133,181 @@ void ShellPass::makeTile() {
 }
 
 void ShellPass::updateSkin(const Mirror& mirror, const Skin& atRest) {
-    if (mirror.shown() == skin_) return;
-    skin_ = mirror.shown();
-    const std::vector<Curvature> curvatures = curvaturesOf(*skin_);
+    if (mirror.shown() == shown_) return;
+    shown_ = mirror.shown();
+    const std::vector<Curvature> curvatures = curvaturesOf(*shown_);
     curvatures_.upload(std::span<const Curvature>(curvatures));
     vertices_.resize(curvatures.size() * kShellVertexBytes);
+    corners_.resize(curvatures.size() * sizeof(ShellCorner));
+    std::vector<uvec3> triangles;
+    for (const uint t : mirror.surface().patches.order) triangles.push_back(shown_->triangles[t]);
+    indices_.upload(std::span<const uvec3>(triangles));
     std::vector<RestVertex> rest(curvatures.size());
-    for (uint v = 0; v < rest.size(); ++v) rest[v] = restOf(*skin_, atRest, v);
+    for (uint v = 0; v < rest.size(); ++v) rest[v] = restOf(*shown_, atRest, v);
     rest_.upload(std::span<const RestVertex>(rest));
 }
 
-void ShellPass::findCurves(const Mirror& mirror, const Fur& fur) {
+void ShellPass::findCurves(const Mirror& mirror, const Document& document, uint coats,
+                           float seconds) {
+    const Fur& fur = document.fur;
+    CurveKey key{mirror.shown(), document.groom, fur, coats, fur.wind > 0.0f ? seconds : 0.0f};
+    if (curvesOf_ == key) return;
+    curvesOf_ = std::move(key);
     const bool rods = fur.over.droop == kDroopElastica || fur.under.droop == kDroopElastica;
     (rods ? rodCurves_ : curves_).use();
     rodTable_.bindStorage(binding::rodTable);
-    vertices_.bindStorage(binding::shellVertices);
+    corners_.bindStorage(binding::shellCorners);
     const auto groups = static_cast<uint>((mirror.skin().vertices.size() + 63) / 64);
     if (groups > 0) glDispatchCompute(std::min(groups, 65535u), (groups + 65534u) / 65535u, 1);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
 }
 
-const ShellPass::Pair& ShellPass::programsOf(const char* fragment,
-                                             const std::vector<std::string>& defines) {
-    std::string key = fragment;
-    for (const std::string& define : defines) key += " " + define;
-    const auto known = programs_.find(key);
-    if (known != programs_.end()) return known->second;
-    std::vector<std::string> textured = defines;
-    textured.emplace_back("TEXTURED");
-    Pair pair{Program::draw("shell.vert", fragment, defines),
-              Program::draw("shell.vert", fragment, textured)};
-    return programs_.emplace(key, std::move(pair)).first->second;
+void ShellPass::resize(ivec2 size) {
+    if (size == size_) return;
+    size_ = size;
+    hairColor_ = gl::makeTexture(size, GL_RGBA16F);
+    hairDepth_ = gl::makeTexture(size, GL_R32F);
+    seen_ = gl::makeTexture(size, GL_R8UI);
+    for (Peel& peel : peels_) {
+        peel.found = gl::makeTexture(size, GL_RG32UI);
+        peel.depth = gl::makeTexture(size, GL_DEPTH_COMPONENT32F);
+        peel.target = gl::makeFramebuffer(peel.found, &peel.depth);
+        peel.march = gl::makeFramebuffer(hairColor_, &peel.depth);
+        glNamedFramebufferTexture(peel.march.name(), GL_COLOR_ATTACHMENT1, hairDepth_.name(), 0);
+        const GLenum both[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+        glNamedFramebufferDrawBuffers(peel.march.name(), 2, both);
+    }
 }
 
-// Not culled: where the skin is hollow the surface folds over itself.
-void ShellPass::drawWith(const Mirror& mirror, const Pair& programs) const {
-    drawSurface(vertexArray_, mirror, mirror.surface(), allOf(mirror.surface().patches), false,
-                [&](const Mirror::Part& part) -> const Program& {
-                    return part.layer >= 0.0f ? programs.textured : programs.plain;
-                });
+// Which triangle of a surface comes next behind each pixel, behind those of the other peel.
+void ShellPass::find(const Mirror& mirror, const Program& program, std::size_t offset,
+                     const Peel& peel, const Peel& before) const {
+    const uint none[4] = {};
+    const float farthest = 1.0f;
+    glClearNamedFramebufferuiv(peel.target.name(), GL_COLOR, 0, none);
+    glClearNamedFramebufferfv(peel.target.name(), GL_DEPTH, 0, &farthest);
+    glBindFramebuffer(GL_FRAMEBUFFER, peel.target.name());
+    glBindTextureUnit(2, before.depth.name());
+    const GLuint array = surfaceArray_.name();
+    glBindVertexArray(array);
+    glVertexArrayElementBuffer(array, indices_.name());
+    glVertexArrayVertexBuffer(array, 0, corners_.name(), 0, sizeof(ShellCorner));
+    glVertexArrayAttribFormat(array, 0, 3, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
+    glVertexArrayAttribFormat(array, 1, 1, GL_FLOAT, GL_FALSE, offsetof(ShellCorner, top));
+    glVertexArrayAttribFormat(array, 2, 3, GL_FLOAT, GL_FALSE, offsetof(ShellCorner, normal));
+    program.use();
+    glEnable(GL_DEPTH_TEST);
+    if (mirror.skin().outward) glEnable(GL_CULL_FACE);
+    for (const Mirror::Part& part : mirror.parts()) {
+        glUniform1ui(0, part.material);
+        glUniform1ui(2, part.firstTriangle);
+        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * part.triangleCount), GL_UNSIGNED_INT,
+                       reinterpret_cast<const void*>(3 * sizeof(uint) * part.firstTriangle));
+    }
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
 }
 
-// From the surface over the fur, then from the skin where that did not see its fur: where the eye
-// is in the fur, and in hollows, whose outer surface lies in other parts of the body.
-void ShellPass::drawMarched(const Mirror& mirror, const char* fragment,
-                            std::vector<std::string> defines) {
-    drawWith(mirror, programsOf(fragment, defines));
-    defines.emplace_back("SKIN");
-    glDepthFunc(GL_LEQUAL);
-    drawWith(mirror, programsOf(fragment, defines));
+// Only the pixels behind which something was found.
+void ShellPass::march(const Program& program, const Peel& peel, const Canvas& canvas) const {
+    const vec4 none(0.0f);
+    glBindFramebuffer(GL_FRAMEBUFFER, peel.march.name());
+    glClearBufferfv(GL_COLOR, 0, &none.x);
+    glBindTextureUnit(2, peel.found.name());
+    program.use();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_NOTEQUAL);
+    glDepthRangef(1.0f, 1.0f);
+    glDepthMask(GL_FALSE);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDepthMask(GL_TRUE);
+    glDepthRangef(0.0f, 1.0f);
     glDepthFunc(GL_LESS);
+
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas.target.name());
+    glBindTextureUnit(2, hairColor_.name());
+    glBindTextureUnit(3, hairDepth_.name());
+    show_.use();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_DEPTH_TEST);
+    glTextureBarrier();
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
-void ShellPass::drawLayer(const Mirror& mirror, const Pair& programs, const Layer& layer) const {
-    for (const Program* program : {&programs.plain, &programs.textured}) {
-        glProgramUniform1f(program->name(), 2, layer.t);
-        glProgramUniform1ui(program->name(), 3, layer.coat);
-        glProgramUniform1ui(program->name(), 4, layer.k);
+// What is found is marched at once, a pixel at a time and however small its triangle: first below
+// the surface over the fur that is nearest, then below what comes next behind it, as long as
+// anything does. Then from the skin where that did not see its fur: where the eye is in the fur,
+// and in hollows, whose outer surface lies in other parts of the body.
+void ShellPass::drawMarched(const Mirror& mirror, const Canvas& canvas, bool plain) {
+    constexpr std::size_t kMostPeels = 4;
+    resize(canvas.size);
+    const uint none = 0;
+    const float nearest = 0.0f;
+    glClearTexImage(seen_.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
+    glBindImageTexture(0, seen_.name(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R8UI);
+    glBindTextureUnit(1, canvas.depth.name());
+    mirror.surface().indices.bindStorage(binding::indices);
+    glClearNamedFramebufferfv(peels_[1].target.name(), GL_DEPTH, 0, &nearest);
+    // The driver looks whether anything was found, so that nothing waits for the answer.
+    while (anyFound_.size() < kMostPeels) anyFound_.push_back(gl::makeQuery(GL_ANY_SAMPLES_PASSED));
+    for (std::size_t i = 0; i < kMostPeels; ++i) {
+        const Peel& peel = peels_[i % 2];
+        const GLuint query = anyFound_[i].name();
+        if (i > 0) glBeginConditionalRender(anyFound_[i - 1].name(), GL_QUERY_WAIT);
+        glBeginQuery(GL_ANY_SAMPLES_PASSED, query);
+        find(mirror, over_, offsetof(ShellCorner, outer), peel, peels_[(i + 1) % 2]);
+        glEndQuery(GL_ANY_SAMPLES_PASSED);
+        if (i > 0) glEndConditionalRender();
+        glBeginConditionalRender(query, GL_QUERY_WAIT);
+        march(plain ? plainMarch_ : sweptMarch_, peel, canvas);
+        glEndConditionalRender();
     }
-    drawWith(mirror, programs);
+    find(mirror, skin_, offsetof(ShellCorner, position), peels_[0], peels_[1]);
+    march(plain ? plainFromSkin_ : sweptFromSkin_, peels_[0], canvas);
 }
 
-// The hairs of the tile.
-void ShellPass::drawRoots(const Mirror& mirror, const View& view, uint coats) {
-    textureBytes_ += tile_.bytes();
-    layers_ = view.layers;
-    if (view.shells != Shells::instanced) {
-        std::vector<std::string> defines;
-        if (view.shells == Shells::plain) defines.emplace_back("PLAIN");
-        return drawMarched(mirror, "shell.frag", std::move(defines));
-    }
-    if (layers_ == 0) layers_ = kFirstLayers;
-    const Pair& programs = programsOf("shell_layer.frag", {"LAYER"});
-    for (uint coat = 0; coat < 2; ++coat)
-        for (uint k = 0; (coats >> coat & 1u) && k < layers_; ++k)
-            drawLayer(mirror, programs,
-                      {coat, k, (static_cast<float>(k) + 0.5f) / static_cast<float>(layers_)});
+void ShellPass::drawLayer(const Mirror& mirror, const Program& program, float t) const {
+    glProgramUniform1f(program.name(), 2, t);
+    drawSurface(layerArray_, mirror, mirror.surface(), allOf(mirror.surface().patches), false,
+                [&](const Mirror::Part&) -> const Program& { return program; });
 }
 
 // The last layer lies on the skin, and is to be seen there.
-void ShellPass::drawMap(const Mirror& mirror, const ShellSource& source, uint coat, Shells shells) {
+void ShellPass::drawMap(const Mirror& mirror, const ShellSource& source, uint coat) {
     ShellMapData data;
     data.tones = vec4(source.tones[0], source.tones[1]);
     data.side = source.side;
-    data.gap = source.gap;
-    data.layers = source.layers;
-    data.coat = coat;
     data.photo = source.texture->photo ? 1 : 0;
+    data.layers = source.layers;
     data.coverage = source.cut.coverage;
     data.taper = source.cut.taper;
     mapBlock_.upload(std::span<const ShellMapData>(&data, 1));
     mapBlock_.bindUniform(binding::shellMap);
     glBindTextureUnit(binding::shellPicture, pictures_.textureOf(source.texture).name());
     layers_ = std::max(layers_, source.layers);
-    // The single pass knows the fur at the place where the ray enters it, not at each root: dots do
-    // not show that, but the hairs of a photograph bend with it.
-    if (shells == Shells::plain) return drawMarched(mirror, "shell_map.frag", {"MAP"});
-    const Pair& programs = programsOf("shell_map.frag", {"MAP", "LAYER"});
+    if (!map_) map_ = Program::draw("shell_layer.vert", "shell_map.frag", {"MAP"});
+    glProgramUniform1ui(map_->name(), 3, coat);
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(-1.0f, -1.0f);
-    for (uint k = 1; k <= source.layers; ++k)
-        drawLayer(mirror, programs, {coat, k, source.layerAt(k)});
+    for (uint k = 1; k <= source.layers; ++k) {
+        glProgramUniform1ui(map_->name(), 4, k);
+        drawLayer(mirror, *map_, source.layerAt(k));
+    }
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
+void ShellPass::drawLayers(const Mirror& mirror, uint coats) {
+    if (layers_ == 0) layers_ = kFirstLayers;
+    for (uint coat = 0; coat < 2; ++coat) {
+        if (!(coats >> coat & 1u)) continue;
+        glProgramUniform1ui(layer_.name(), 3, coat);
+        for (uint k = 0; k < layers_; ++k)
+            drawLayer(mirror, layer_, (static_cast<float>(k) + 0.5f) / static_cast<float>(layers_));
+    }
+}
+
 void ShellPass::draw(const Mirror& mirror, const Document& document, const View& view,
-                     const FrameData& frame, const gl::Buffer& frameBlock) {
+                     const FrameData& frame, const gl::Buffer& frameBlock, const Canvas& canvas) {
     const Fur& fur = document.fur;
     ShellData data;
     data.over = {periodOf(fur.share * frame.hairsPerArea), frame.overWidth, fur.over.taper,
@@ -234,17 +329,26 @@ void ShellPass::draw(const Mirror& mirror, const Document& document, const View&
     curvatures_.bindStorage(binding::curvatures);
     rest_.bindStorage(binding::restVertices);
     tile_.bindStorage(binding::shellTile);
-    findCurves(mirror, fur);
+    vertices_.bindStorage(binding::shellVertices);
+    findCurves(mirror, document, data.coats, frame.seconds);
     uint mapped = 0;
     for (uint coat = 0; coat < 2; ++coat)
         if (view.maps[coat].texture) mapped |= data.coats & 1u << coat;
     data.coats &= ~mapped;
+    if (data.coats != 0) {
+        textureBytes_ = tile_.bytes();
+        layers_ = view.layers;
+        block_.write(0, std::span<const ShellData>(&data, 1));
+        if (view.shells == Shells::instanced)
+            drawLayers(mirror, data.coats);
+        else
+            drawMarched(mirror, canvas, view.shells == Shells::plain);
+    }
     // A photograph shows all of a fur.
     if (mapped == 3u && view.maps[0] == view.maps[1] && view.maps[0].texture->photo) mapped = 1u;
-    block_.write(0, std::span<const ShellData>(&data, 1));
-    if (data.coats != 0) drawRoots(mirror, view, data.coats);
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas.target.name());
     for (uint coat = 0; coat < 2; ++coat)
-        if (mapped >> coat & 1u) drawMap(mirror, view.maps[coat], coat, view.shells);
+        if (mapped >> coat & 1u) drawMap(mirror, view.maps[coat], coat);
     textureBytes_ += pictures_.keep(view.maps);
 }
 

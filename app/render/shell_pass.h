@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <memory>
-#include <string>
+#include <optional>
 #include <vector>
 
+#include "app/render/canvas.h"
 #include "app/render/frame_data.h"
 #include "app/render/mirror.h"
 #include "app/render/program.h"
@@ -19,10 +19,10 @@ namespace pelage {
 class ShellPass {
 public:
     ShellPass();
-    // Draws the fur before the skin into the bound framebuffer, which holds the skin's color and
-    // depth. Clumps, curls and frizz are left out.
+    // Draws the fur before the skin into a canvas that holds the skin's color and depth. Clumps,
+    // curls and frizz are left out.
     void draw(const Mirror& mirror, const Document& document, const View& view,
-              const FrameData& frame, const gl::Buffer& frameBlock);
+              const FrameData& frame, const gl::Buffer& frameBlock, const Canvas& canvas);
 
     // Of the last draw: layers, and bytes of the tile of roots or the pictures, all levels.
     uint layers() const { return layers_; }
@@ -31,32 +31,45 @@ public:
 
 private:
     void makeTile();
-    void findCurves(const Mirror& mirror, const Fur& fur);
+    void findCurves(const Mirror& mirror, const Document& document, uint coats, float seconds);
     void updateSkin(const Mirror& mirror, const Skin& atRest);
-    // Of a way of drawing, without and with a base-color texture.
-    struct Pair {
-        Program plain, textured;
+    struct CurveKey {  // what the mean hair depends on
+        std::shared_ptr<const Skin> shown;
+        Groom groom;
+        Fur fur;
+        uint coats;
+        float seconds;
+        bool operator==(const CurveKey&) const = default;
     };
-    const Pair& programsOf(const char* fragment, const std::vector<std::string>& defines);
-    void drawWith(const Mirror& mirror, const Pair& programs) const;
-    void drawMarched(const Mirror& mirror, const char* fragment, std::vector<std::string> defines);
-    // Layer k of n of a coat, at t of its hair.
-    struct Layer {
-        uint coat, k;
-        float t;
+    struct Peel {  // the surface over the fur that comes next behind each pixel
+        gl::Texture found, depth;
+        gl::Framebuffer target, march;
     };
-    void drawLayer(const Mirror& mirror, const Pair& programs, const Layer& layer) const;
-    void drawRoots(const Mirror& mirror, const View& view, uint coats);
-    void drawMap(const Mirror& mirror, const ShellSource& source, uint coat, Shells shells);
+    void resize(ivec2 size);
+    void find(const Mirror& mirror, const Program& program, std::size_t offset, const Peel& peel,
+              const Peel& before) const;
+    void march(const Program& program, const Peel& peel, const Canvas& canvas) const;
+    void drawMarched(const Mirror& mirror, const Canvas& canvas, bool plain);
+    // From pictures, layer by layer in any case.
+    void drawMap(const Mirror& mirror, const ShellSource& source, uint coat);
+    void drawLayer(const Mirror& mirror, const Program& program, float t) const;
+    void drawLayers(const Mirror& mirror, uint coats);
 
-    Program curves_, rodCurves_;
-    std::map<std::string, Pair> programs_;  // made when they are first needed
-    gl::VertexArray vertexArray_;
-    gl::Buffer tile_, block_, mapBlock_, vertices_, rest_, curvatures_, rodTable_;
+    Program curves_, rodCurves_, over_, skin_, layer_, show_;
+    std::optional<Program> map_;  // made when it is first needed
+    Program sweptMarch_, sweptFromSkin_, plainMarch_, plainFromSkin_;
+    gl::VertexArray layerArray_, surfaceArray_;
+    gl::Buffer tile_, block_, mapBlock_, vertices_, corners_, indices_, rest_, curvatures_,
+        rodTable_;
+    ivec2 size_{0};
+    Peel peels_[2];
+    std::vector<gl::Query> anyFound_;
+    gl::Texture seen_, hairColor_, hairDepth_;
     ShellPictures pictures_;
     uint layers_ = 0;
     std::size_t textureBytes_ = 0;
-    std::shared_ptr<const Skin> skin_;  // whose curvatures are known
+    std::optional<CurveKey> curvesOf_;
+    std::shared_ptr<const Skin> shown_;  // whose curvatures are known
 };
 
 }  // namespace pelage

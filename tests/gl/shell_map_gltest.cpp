@@ -20,9 +20,10 @@ namespace {
 // The uniform block of shaders/shell_map.glsl.
 struct MapBlock {
     vec4 tones{0.0f};
-    float side = 1.0f, gap = 1.0f;
-    uint layers = 16, coat = 0, photo = 0, pad0 = 0;
+    float side = 1.0f;
+    uint photo = 0, layers = 16, pad0 = 0;
     float coverage = 1.0f, taper = 1.0f;
+    uint pad1 = 0, pad2 = 0;
 };
 
 // Soft spots of light that dies away with the depth, in 8 bits; white, and brown to the left.
@@ -224,33 +225,14 @@ TEST(ShellsOfAPicture, FromAboveLayersShowWhatThePictureCovers) {
     const Document document = patch();
     Renderer renderer;
     View view = over(90.0f);
-    for (const float coverage : {0.3f, 0.7f})
-        for (const Shells shells : {Shells::swept, Shells::plain, Shells::instanced}) {
-            view.shells = shells;
-            view.maps[0] = noiseOf(coverage, 8);
-            view.maps[0].side = 0.4f;
-            const double covered = test::coveredPixels(renderer, document, view) / (128.0 * 128.0);
-            std::printf("%.3f of %.3f\n", covered, static_cast<double>(coverage));
-            EXPECT_NEAR(covered, coverage, 0.02);
-        }
-}
-
-TEST(ShellsOfAPicture, BothWaysOfDrawingShowTheSame) {
-    const Document document = patch();
-    Renderer renderer;
-    View view = over(50.0f);
-    view.maps[0] = photoOf(furPhoto(128), 16).source;
-    view.maps[0].side = 0.3f;
-    const auto drawn = [&](Shells shells) {
-        view.shells = shells;
-        return test::linear(test::picture(renderer, document, view));
-    };
-    const std::vector<float> layers = drawn(Shells::instanced), march = drawn(Shells::plain);
-    view.maps[0].side = 0.31f;
-    const double apart = test::distanceOf(layers, march),
-                 other = test::distanceOf(layers, drawn(Shells::plain));
-    std::printf("RMSE %.4f, to another picture %.4f\n", apart, other);
-    EXPECT_LT(apart, 0.15 * other);
+    view.shells = Shells::swept;
+    for (const float coverage : {0.3f, 0.7f}) {
+        view.maps[0] = noiseOf(coverage, 8);
+        view.maps[0].side = 0.4f;
+        const double covered = test::coveredPixels(renderer, document, view) / (128.0 * 128.0);
+        std::printf("%.3f of %.3f\n", covered, static_cast<double>(coverage));
+        EXPECT_NEAR(covered, coverage, 0.02);
+    }
 }
 
 TEST(ShellsOfAPicture, APhotographTakesOneTextureHoweverManyLayersAreDrawn) {
@@ -282,19 +264,16 @@ TEST(ShellsOfAPicture, OddPicturesAreDrawn) {
     const Image fur = furPhoto(32);
     Image holes = fur;
     for (std::size_t i = 0; i < holes.pixels.size(); i += 2) holes.pixels[i] = vec4(0.0f);
-    for (const Shells shells : {Shells::plain, Shells::instanced}) {
-        view.shells = shells;
-        for (const int layers : {1, 256}) {
-            EXPECT_GT(drawn(photoOf(fur, layers).source), 200.0);
-            EXPECT_GT(drawn(photoOf(holes, layers).source), 100.0);
-            for (const float tone : {0.0f, 0.2f, 1.0f})
-                for (const ivec2 size : {ivec2(1), ivec2(3, 1), ivec2(8)}) {
-                    const Image even{size,
-                                     std::vector<vec4>(pixelCount(size), vec4(vec3(tone), 1.0f))};
-                    EXPECT_GT(drawn(photoOf(even, layers).source), 200.0) << tone;
-                }
-            EXPECT_GT(drawn(noiseOf(1.0f, static_cast<uint>(layers))), 200.0);
-        }
+    view.shells = Shells::swept;
+    for (const int layers : {1, 256}) {
+        EXPECT_GT(drawn(photoOf(fur, layers).source), 200.0);
+        EXPECT_GT(drawn(photoOf(holes, layers).source), 100.0);
+        for (const float tone : {0.0f, 0.2f, 1.0f})
+            for (const ivec2 size : {ivec2(1), ivec2(3, 1), ivec2(8)}) {
+                const Image even{size, std::vector<vec4>(pixelCount(size), vec4(vec3(tone), 1.0f))};
+                EXPECT_GT(drawn(photoOf(even, layers).source), 200.0) << tone;
+            }
+        EXPECT_GT(drawn(noiseOf(1.0f, static_cast<uint>(layers))), 200.0);
     }
 }
 
