@@ -84,6 +84,13 @@ float mapThreshold(vec2 tones, float depth) {
     return tones.y * pow(tones.x / max(tones.y, 1e-20), depth);
 }
 
+// From display-encoded to linear. Not by the texture: what drivers make of it may be off by so much of
+// a step of 8 bits that all texels of one tone change the layer.
+vec3 mapLight(vec3 color) {
+    return mix(pow((color + 0.055) / 1.055, vec3(2.4)), color / 12.92,
+               lessThanEqual(color, vec3(0.04045)));
+}
+
 struct MapCut {
     bool there;
     vec3 color;  // of a photograph
@@ -96,14 +103,15 @@ MapCut mapCut(MapPlace place, float level, uint k, float grown) {
     vec4 even = mapSmooth(place, level, texel);
     float depth = float(k) / float(mapLayers);
     MapCut cut;
-    cut.color = even.rgb;
     cut.id = pcg(uint(65535.0 * texel.g + 0.5));
     if (mapPhoto == 0u) {
         // A share s of the picture is higher than 1 - sqrt(s).
         cut.there = even.r >= 1.0 - sqrt(mapCoverage) * (1.0 - mapTaper * (1.0 - depth));
+        cut.color = vec3(1.0);
         if (grown < 1.0) cut.there = cut.there && rand01(cut.id) < grown;
         return cut;
     }
+    cut.color = mapLight(even.rgb);
     vec2 tones = mapTones.xy;
     if (texel.a < 0.75) tones = mapTones.zw;
     float light = dot(cut.color, vec3(2613072.0, 8788810.0, 887015.0) / 12288897.0);

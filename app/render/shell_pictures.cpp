@@ -10,7 +10,7 @@ const gl::Texture& ShellPictures::textureOf(const std::shared_ptr<const ShellTex
     if (known != textures_.end()) return known->second;
     const auto levels = static_cast<GLsizei>(picture->levels.size());
     gl::Texture texture =
-        gl::makeTexture(picture->size, picture->photo ? GL_SRGB8_ALPHA8 : GL_RG16, levels);
+        gl::makeTexture(picture->size, picture->photo ? GL_RGBA8 : GL_RG16, levels);
     glTextureParameteri(texture.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     ivec2 size = picture->size;
     for (int level = 0; level < levels; ++level, size = halfSize(size))
