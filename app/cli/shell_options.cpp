@@ -15,6 +15,25 @@ const char* nameOf(From from) {
 
 }  // namespace
 
+CLI::Option* addClampOption(CLI::App& verb, const char* name, std::vector<double>& clamp) {
+    return verb
+        .add_option(name, clamp,
+                    "Percent of the pixels below the darkest and the brightest tone that counts")
+        ->type_name("LOW,HIGH")
+        ->delimiter(',')
+        ->expected(2)
+        ->allow_extra_args(false)
+        ->check(CLI::Range(0.0, 100.0))
+        ->default_str("1,99");
+}
+
+void expectRising(const char* option, const std::vector<double>& clamp) {
+    if (clamp[0] < clamp[1]) return;
+    char text[96];
+    std::snprintf(text, sizeof text, "%s: %g is not below %g", option, clamp[0], clamp[1]);
+    throw UsageError(text);
+}
+
 void addShellOptions(CLI::App& verb, ShellOptions& options) {
     const std::string group = "Shells from a picture in place of hairs";
     ShellRecipe& recipe = options.recipe;
@@ -54,16 +73,7 @@ void addShellOptions(CLI::App& verb, ShellOptions& options) {
         ->capture_default_str()
         ->check(CLI::Range(0.01, 1.0))
         ->group(group);
-    verb.add_option("--shell-clamp", options.clamp,
-                    "Percent of the pixels below the darkest and the brightest tone that counts")
-        ->type_name("LOW,HIGH")
-        ->delimiter(',')
-        ->expected(2)
-        ->allow_extra_args(false)
-        ->check(CLI::Range(0.0, 100.0))
-        ->default_str("1,99")
-        ->needs(photo)
-        ->group(group);
+    addClampOption(verb, "--shell-clamp", options.clamp)->needs(photo)->group(group);
     verb.add_flag("--shell-two-colors", recipe.photo.twoColors,
                   "A range of tones for each color of the fur")
         ->needs(photo)
@@ -82,12 +92,7 @@ void useShellOptions(View& view, const ShellOptions& options, float skinSize) {
     if (view.shells == Shells::none)
         throw UsageError(std::string("render ") + nameOf(recipe.from) +
                          ": needs a --technique of shells");
-    if (!(options.clamp[0] < options.clamp[1])) {
-        char text[96];
-        std::snprintf(text, sizeof text, "render --shell-clamp: %g is not below %g",
-                      options.clamp[0], options.clamp[1]);
-        throw UsageError(text);
-    }
+    expectRising("render --shell-clamp", options.clamp);
     recipe.photo.darkest = static_cast<float>(options.clamp[0] / 100.0);
     recipe.photo.brightest = static_cast<float>(options.clamp[1] / 100.0);
     if (view.layers > 0) recipe.photo.layers = static_cast<int>(view.layers);

@@ -6,6 +6,11 @@
 
 namespace pelage {
 
+// Percent of the pixels below the darkest and the brightest tone of a photograph that counts.
+CLI::Option* addClampOption(CLI::App& verb, const char* name, std::vector<double>& clamp);
+// Throws UsageError "render --shell-clamp: 60 is not below 40".
+void expectRising(const char* option, const std::vector<double>& clamp);
+
 struct ShellOptions {
     ShellRecipe recipe;
     bool noise = false;

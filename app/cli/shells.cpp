@@ -7,6 +7,7 @@
 
 #include "app/cli/cli.h"
 #include "app/cli/print.h"
+#include "app/cli/shell_options.h"
 #include "core/files.h"
 #include "core/pixels.h"
 #include "core/shell_source.h"
@@ -152,9 +153,7 @@ PhotoLayers layersOf(const Image& photo, const Options& options) {
 }
 
 void writePhoto(const Options& options, bool json) {
-    if (!(options.clamp[0] < options.clamp[1]))
-        throw UsageError(
-            format("shells --clamp: %g is not below %g", options.clamp[0], options.clamp[1]));
+    expectRising("shells --clamp", options.clamp);
     Image photo = readImage(options.photo);
     const PhotoLayers layers = layersOf(photo, options);
     const Pixels pixels = displayPixels(photo);
@@ -243,16 +242,7 @@ void addPhotoOptions(CLI::App& verb, Options& options, CLI::Option& photo) {
                   "Each layer also holds what is in those outside it, so that hairs are columns")
         ->needs(&photo)
         ->group(group);
-    verb.add_option("--clamp", options.clamp,
-                    "Percent of the pixels below the darkest and the brightest tone that counts")
-        ->type_name("LOW,HIGH")
-        ->delimiter(',')
-        ->expected(2)
-        ->allow_extra_args(false)
-        ->check(CLI::Range(0.0, 100.0))
-        ->default_str("1,99")
-        ->needs(&photo)
-        ->group(group);
+    addClampOption(verb, "--clamp", options.clamp)->needs(&photo)->group(group);
     verb.add_flag("--two-colors", options.twoColors, "A range of tones for each color of the fur")
         ->needs(&photo)
         ->group(group);

@@ -54,16 +54,6 @@ struct RestVertex {
 static_assert(sizeof(RestVertex) == 32 && sizeof(Curvature) == 32);
 constexpr std::size_t kShellVertexBytes = 176;
 
-// The uniform block of shaders/shell_map.glsl, as C++.
-struct ShellMapData {
-    vec4 tones{0.0f};
-    float side = 1.0f;
-    uint photo = 0, layers = 1, pad0 = 0;
-    float coverage = 1.0f, taper = 1.0f;
-    uint pad1 = 0, pad2 = 0;
-};
-static_assert(sizeof(ShellMapData) == 48);
-
 constexpr uint kFirstLayers = 32;  // where the skin is drawn once for each and none are asked for
 
 uint packed(const RootMap& map, uint number) {
@@ -274,13 +264,7 @@ void ShellPass::drawLayer(const Mirror& mirror, const Program& program, float t)
 
 // The last layer lies on the skin, and is to be seen there.
 void ShellPass::drawMap(const Mirror& mirror, const ShellSource& source, uint coat) {
-    ShellMapData data;
-    data.tones = vec4(source.tones[0], source.tones[1]);
-    data.side = source.side;
-    data.photo = source.texture->photo ? 1 : 0;
-    data.layers = source.layers;
-    data.coverage = source.cut.coverage;
-    data.taper = source.cut.taper;
+    const ShellMapData data = mapData(source);
     mapBlock_.upload(std::span<const ShellMapData>(&data, 1));
     mapBlock_.bindUniform(binding::shellMap);
     glBindTextureUnit(binding::shellPicture, pictures_.textureOf(source.texture).name());

@@ -5,6 +5,17 @@
 
 namespace pelage {
 
+ShellMapData mapData(const ShellSource& source) {
+    ShellMapData data;
+    data.tones = vec4(source.tones[0], source.tones[1]);
+    data.side = source.side;
+    data.photo = source.texture->photo ? 1 : 0;
+    data.layers = source.layers;
+    data.coverage = source.cut.coverage;
+    data.taper = source.cut.taper;
+    return data;
+}
+
 const gl::Texture& ShellPictures::textureOf(const std::shared_ptr<const ShellTexture>& picture) {
     const auto known = textures_.find(picture);
     if (known != textures_.end()) return known->second;

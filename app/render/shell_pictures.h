@@ -11,6 +11,17 @@
 
 namespace pelage {
 
+// The uniform block of shaders/shell_map.glsl, as C++.
+struct ShellMapData {
+    vec4 tones{0.0f};
+    float side = 1.0f;
+    uint photo = 0, layers = 1, pad0 = 0;
+    float coverage = 1.0f, taper = 1.0f;
+    uint pad1 = 0, pad2 = 0;
+};
+static_assert(sizeof(ShellMapData) == 48);
+ShellMapData mapData(const ShellSource& source);
+
 class ShellPictures {
 public:
     // Uploaded when it is first asked for. Repeats, mixed linearly between texels and levels.

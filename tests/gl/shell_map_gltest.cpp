@@ -16,15 +16,6 @@
 namespace pelage {
 namespace {
 
-// The uniform block of shaders/shell_map.glsl.
-struct MapBlock {
-    vec4 tones{0.0f};
-    float side = 1.0f;
-    uint photo = 0, layers = 16, pad0 = 0;
-    float coverage = 1.0f, taper = 1.0f;
-    uint pad1 = 0, pad2 = 0;
-};
-
 // Soft spots of light that dies away with the depth, in 8 bits; white, and brown to the left.
 Image furPhoto(int side, bool brown = false) {
     const Plane spots = noisePicture({.side = side, .mask = 7});
@@ -71,15 +62,9 @@ std::vector<uint> asked(const ShellSource& source, const std::string& code, uint
                              code);
     ShellPictures pictures;
     glBindTextureUnit(binding::shellPicture, pictures.textureOf(source.texture).name());
-    MapBlock data;
-    data.tones = vec4(source.tones[0], source.tones[1]);
-    data.side = source.side;
-    data.layers = source.layers;
-    data.photo = source.texture->photo ? 1 : 0;
-    data.coverage = source.cut.coverage;
-    data.taper = source.cut.taper;
+    const ShellMapData data = mapData(source);
     gl::Buffer block, results;
-    block.upload(std::span<const MapBlock>(&data, 1));
+    block.upload(std::span<const ShellMapData>(&data, 1));
     block.bindUniform(binding::shellMap);
     results.resize(places * sizeof(uint));
     results.bindStorage(0);
@@ -147,12 +132,14 @@ void main() {
     at.level = 0.0;
     bool there = mapCut(at, 0.0, 4u, 1.0).there;
     vec3 shares = axisShares(n);
-    vec4 mixed = vec4(0.0);
-    for (uint k = 0u; k < 3u; ++k)
-        mixed += shares[k] * mapTexel(MapPlace(alongAxis(n, k).xy / mapSide + 0.37 * float(k), 0.0), 0.0);
-    bool mean = mapPhoto == 1u
-        ? dot(mixed.rgb, vec3(2613072.0, 8788810.0, 887015.0) / 12288897.0) >= mapThreshold(mapTones.xy, 4.0 / float(mapLayers))
-        : mixed.r >= 1.0 - sqrt(mapCoverage) * (1.0 - mapTaper * (1.0 - 4.0 / float(mapLayers)));
+    float mixed = 0.0;
+    for (uint k = 0u; k < 3u; ++k) {
+        vec4 texel = mapTexel(MapPlace(alongAxis(n, k).xy / mapSide + 0.37 * float(k), 0.0), 0.0);
+        mixed += shares[k] * (mapPhoto == 1u ? mapLight(texel.rgb).g : texel.r);
+    }
+    bool mean = mixed >= (mapPhoto == 1u
+        ? mapThreshold(mapTones.xy, 4.0 / float(mapLayers))
+        : 1.0 - sqrt(mapCoverage) * (1.0 - mapTaper * (1.0 - 4.0 / float(mapLayers))));
     results[i] = uint(there) + 2u * uint(mean);
 })",
                                          54 * kPlaces);
