@@ -191,8 +191,8 @@ unsigned accuracyTexture(const App& app, AccuracyPicture picture);
 double stepAccuracy(App& app, double rested, bool busy);
 void saveAccuracy(App& app, const std::string& path);
 
-// What shells are cut from, of the coats that the panel shows (shell_edits.cpp). Where a file cannot
-// be read it stays what it was.
+// What shells are cut from, of the coats that the panel shows (shell_edits.cpp). Where a file
+// cannot be read it stays what it was.
 void chooseShells(App& app, const ShellRecipe& recipe);
 void openShellPicture(App& app, const std::string& path, ShellRecipe::From from);
 void askForShellPicture(App& app, ShellRecipe::From from);

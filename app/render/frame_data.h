@@ -49,7 +49,7 @@ enum Storage : unsigned {
     counters = 10,
     restVertices = 10,  // never with counters
     lines = 11,
-    seen = 11,  // never with lines
+    seen = 11,          // never with lines
     shellCorners = 11,  // never with seen
     groups = 12,
     shellTile = 12,  // never with groups
