@@ -259,7 +259,7 @@ private:
 // every side. The rows of a lattice or of Sobol's sequence would hide nothing of each other from
 // two.
 RootGrid evenRoots(uint count, uint seed) {
-    constexpr uint kCandidates = 4;
+    constexpr uint kCandidates = 2;
     RootGrid grid(count);
     for (uint hair = 0; hair < count; ++hair) {
         vec2 farthest(0.0f);

@@ -17,10 +17,12 @@
 #include "shell_hair.glsl"
 #include "shell_shade.glsl"
 
-layout(std430, binding = 7) readonly buffer Indices { uint indices[]; };  // of corners, by triangle
+layout(binding = 4) uniform usamplerBuffer cornerRows;  // a Corner each
+layout(binding = 5) uniform usamplerBuffer indices;     // of corners, by triangle
 layout(binding = 2) uniform usampler2D found;  // shell_over.frag
+layout(binding = 7) uniform usampler2D skinFound;  // the same of the skin, with SKIN
 layout(early_fragment_tests) in;
-layout(location = 0) out vec4 color;   // alpha 1 = hair, 0.5 = none down to the skin
+layout(location = 0) out vec4 color;   // alpha 1 = hair, 0.5 = none
 layout(location = 1) out float depth;  // in the window
 
 const uint kMostSteps = 256u;
@@ -173,6 +175,7 @@ Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, Groun
                 hit.t = mix(slab.t.x, slab.t.y, one.along);
                 hit.across = one.across;
                 hit.id = one.id;
+                hit.root = mix(slab.from, slab.to, one.along);
                 hit.over = coatNumber == 0u;
             }
             axis += axes.step;
@@ -184,36 +187,72 @@ Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, Groun
 }
 
 // Shares of a triangle's corners at a pixel, from where they are in clip space.
-vec3 sharesAt(vec4 a, vec4 b, vec4 c) {
-    vec3 pixel = vec3(2.0 * gl_FragCoord.xy / vec2(frame.size) - 1.0, 1.0);
-    vec3 share = vec3(dot(pixel, cross(b.xyw, c.xyw)), dot(pixel, cross(c.xyw, a.xyw)),
-                      dot(pixel, cross(a.xyw, b.xyw)));
-    float sum = share.x + share.y + share.z;
-    if (sum < 0.0) share = -share;
+vec3 sharesAt(vec2 pixel, vec3 a, vec3 b, vec3 c) {
+    vec4 p = frame.viewProjection * vec4(a, 1.0);
+    vec4 q = frame.viewProjection * vec4(b, 1.0);
+    vec4 r = frame.viewProjection * vec4(c, 1.0);
+    vec3 at = vec3(2.0 * pixel / vec2(frame.size) - 1.0, 1.0);
+    vec3 share = vec3(dot(at, cross(q.xyw, r.xyw)), dot(at, cross(r.xyw, p.xyw)),
+                      dot(at, cross(p.xyw, q.xyw)));
+    if (share.x + share.y + share.z < 0.0) share = -share;
     share = max(share, 0.0);
-    sum = share.x + share.y + share.z;
+    float sum = share.x + share.y + share.z;
     return sum > 0.0 ? share / sum : vec3(1.0 / 3.0);
 }
 
-Ground groundBelow(uvec2 triangle) {
-    uint corner = 3u * (triangle.x - 1u);
-    Corner p = corners[indices[corner]];
-    Corner q = corners[indices[corner + 1u]];
-    Corner r = corners[indices[corner + 2u]];
-    ShellVertex a = shellVertices[p.skinVertex];
-    ShellVertex b = shellVertices[q.skinVertex];
-    ShellVertex c = shellVertices[r.skinVertex];
-    vec3 share = sharesAt(frame.viewProjection * vec4(outerOf(a), 1.0),
-                          frame.viewProjection * vec4(outerOf(b), 1.0),
-                          frame.viewProjection * vec4(outerOf(c), 1.0));
-    vec2 uv = share.x * p.uv + share.y * q.uv + share.z * r.uv;
-    vec3 bare = share.x * unpackUnorm4x8(p.color).rgb + share.y * unpackUnorm4x8(q.color).rgb +
-                share.z * unpackUnorm4x8(r.color).rgb;
-    return groundOf(a, b, c, share, bare * materialColor(triangle.y, uv));
+struct Face {  // a triangle of the source
+    Corner p, q, r;
+    uint material;
+};
+
+Corner cornerAt(int index) {
+    uvec4 row = texelFetch(cornerRows, int(texelFetch(indices, index).r));
+    return Corner(uintBitsToFloat(row.xy), row.z, row.w);
+}
+
+// As shell_over.frag found it.
+Face faceOf(uvec2 number) {
+    int corner = 3 * int(number.x - 1u);
+    return Face(cornerAt(corner), cornerAt(corner + 1), cornerAt(corner + 2), number.y);
+}
+
+vec3 bareColor(Face f, vec3 share) {
+    vec2 uv = share.x * f.p.uv + share.y * f.q.uv + share.z * f.r.uv;
+    return materialColor(f.material, uv) * (share.x * unpackUnorm4x8(f.p.color).rgb +
+                                            share.y * unpackUnorm4x8(f.q.color).rgb +
+                                            share.z * unpackUnorm4x8(f.r.color).rgb);
+}
+
+Ground groundBelow(Face f) {
+    ShellVertex a = shellVertex(f.p.skinVertex);
+    ShellVertex b = shellVertex(f.q.skinVertex);
+    ShellVertex c = shellVertex(f.r.skinVertex);
+    vec3 share = sharesAt(gl_FragCoord.xy, outerOf(a), outerOf(b), outerOf(c));
+    return groundOf(a, b, c, share, bareColor(f, share));
+}
+
+// Hair has the color of its root, which is read where the root is seen in the picture; where it is
+// not, that of the skin below the pixel.
+void colorAtRoot(inout Ground g, Hit hit) {
+    vec3 root = g.position + turnedBack(hit.root - g.place, g.turn);
+    vec4 clip = frame.viewProjection * vec4(root, 1.0);
+    ivec2 pixel = ivec2((0.5 + 0.5 * clip.xy / clip.w) * vec2(frame.size));
+    if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, frame.size))) return;
+    uvec2 number = texelFetch(skinFound, pixel, 0).xy;
+    if (number.x == 0u) return;
+    Face f = faceOf(number);
+    ShellVertex a = shellVertex(f.p.skinVertex);
+    ShellVertex b = shellVertex(f.q.skinVertex);
+    ShellVertex c = shellVertex(f.r.skinVertex);
+    vec3 share = sharesAt(vec2(pixel) + 0.5, a.position, b.position, c.position);
+    vec3 away = share.x * a.position + share.y * b.position + share.z * c.position - root;
+    if (!(dot(away, away) < 0.25 * g.top * g.top)) return;
+    g.tint = share.x * a.tint + share.y * b.tint + share.z * c.tint;
+    g.bare = bareColor(f, share);
 }
 
 void main() {
-    Ground g = groundBelow(texelFetch(found, ivec2(gl_FragCoord.xy), 0).xy);
+    Ground g = groundBelow(faceOf(texelFetch(found, ivec2(gl_FragCoord.xy), 0).xy));
     Ray ray;
     ray.top = g.top;
     ray.cosine = dot(g.normal, g.eye);
@@ -247,6 +286,7 @@ void main() {
         hit = march(ray, below, hair, coat, c, g, ahead, coat.width * pixelsPerMetre, hit);
     }
     bool hits = hit.way < 1e29;
+    if (hits) colorAtRoot(g, hit);
     color = hits ? vec4(radianceOf(hit, g), 1.0) : vec4(0.5);
     vec4 clip = frame.viewProjection * vec4(g.outer + (back - hit.way) * toEye(g.outer), 1.0);
     depth = hits ? clamp(0.5 + 0.5 * clip.z / clip.w, 0.0, 1.0) : 1.0;

@@ -1,10 +1,22 @@
 // shell_ground.glsl -- what a place on the skin knows of its fur.
 
-layout(std430, binding = 8) readonly buffer ShellVertices { ShellVertex shellVertices[]; };
+// Read as textures: software is far slower at storage buffers.
+layout(binding = 3) uniform samplerBuffer shellVertices;  // the rows of a ShellVertex
+
+ShellVertex shellVertex(uint number) {
+    int i = 11 * int(number);
+    vec4 row[11];
+    for (int k = 0; k < 11; ++k) row[k] = texelFetch(shellVertices, i + k);
+    return ShellVertex(row[0].xyz, row[0].w, row[1].xyz, row[1].w, row[2].xyz, row[2].w, row[3].xyz,
+                       row[3].w, row[4].xyz, row[4].w, row[5].xyz, row[5].w, row[6].xyz, row[6].w,
+                       row[7].xyz, row[7].w, row[8].xyz, row[8].w, row[9].xyz, 0u, row[10]);
+}
 
 struct Ground {     // in the space of the skin at rest, unless world is said
     vec3 outer;     // m, world, where the fur begins
-    vec3 place;     // m, of the skin below
+    vec3 position;  // m, world, of the skin below
+    vec3 place;     // m, the same
+    vec4 turn;      // as in ShellVertex
     vec3 normal;    // unit
     vec3 eye;       // unit, towards it
     vec3 toKey;
@@ -37,12 +49,13 @@ Ground groundOf(ShellVertex a, ShellVertex b, ShellVertex c, vec3 share, vec3 ba
 #define MIXED(member) (share.x * a.member + share.y * b.member + share.z * c.member)
     Ground g;
     g.outer = share.x * outerOf(a) + share.y * outerOf(b) + share.z * outerOf(c);
-    vec4 turn = normalize(share.x * a.turn + share.y * b.turn + share.z * c.turn);
+    g.position = MIXED(position);
+    g.turn = normalize(share.x * a.turn + share.y * b.turn + share.z * c.turn);
     vec3 eye = toEye(g.outer);
     g.place = MIXED(place);
     g.normal = safeUnit(MIXED(normal), vec3(0.0, 1.0, 0.0));
-    g.eye = turned(eye, turn);
-    g.toKey = turned(frame.light.toKey, turn);
+    g.eye = turned(eye, g.turn);
+    g.toKey = turned(frame.light.toKey, g.turn);
     g.overA = MIXED(overA);
     g.overB = MIXED(overB);
     g.underA = MIXED(underA);
@@ -50,7 +63,7 @@ Ground groundOf(ShellVertex a, ShellVertex b, ShellVertex c, vec3 share, vec3 ba
     g.overAcross = MIXED(overAcross);
     g.underAcross = MIXED(underAcross);
     g.top = MIXED(top);
-    vec3 up = turnedBack(g.normal, turn);
+    vec3 up = turnedBack(g.normal, g.turn);
     g.skyward = up.y;
     vec3 t = eye - dot(eye, up) * up;
     g.bend = (MIXED(bendXX) * t.x * t.x + MIXED(bendYY) * t.y * t.y + MIXED(bendZZ) * t.z * t.z +

@@ -10,10 +10,10 @@ const uint kTileHairs = 1024u;  // in the finest level; each coarser one has the
 const uint kTileSide = 256u;    // texels of the finest level, and half as many after every second
 const uint kTileLevels = 9u;
 // Hairs on the tile for each that is needed on a skin across the axis: the greatest axisShares(n) / |n|.
-const float kTileExcess = 1.28;
+const float kTileExcess = 1.45;
 
 // The two nearest roots of each texel, level after level.
-layout(std430, binding = 12) readonly buffer ShellTile { uvec2 shellTile[]; };
+layout(binding = 6) uniform usamplerBuffer shellTile;
 
 // Texels of a level, and those of the levels before it.
 uvec2 tileLevel(uint level) {
@@ -25,6 +25,7 @@ uvec2 tileLevel(uint level) {
 // How much of the hair at a place of unit normal n belongs to each axis.
 vec3 axisShares(vec3 n) {
     vec3 p = n * n;
+    p *= p;
     p *= p;
     p *= p;
     return p * (1.0 / (p.x + p.y + p.z));
@@ -106,7 +107,7 @@ struct Slab {       // of a coat between two heights of its hair, as the ray see
 struct TileHit {
     float along;   // share of the way through the slab; 2 = none
     float across;  // from the middle of the hair, in half widths
-    uint id;
+    uint id;       // scattered by who draws it
 };
 
 // The first hair of one axis that the ray meets in a slab.
@@ -121,10 +122,11 @@ TileHit tileHit(Slab slab, uint axis, uint coatNumber, ShellCoat coat, Level lev
     vec2 tile = (from + 0.5 * way) / coat.period + float(stream) * vec2(0.7548777, 0.5698403);
     uint side = level.texels.x;
     uvec2 texel = uvec2(ivec2(floor(tile * float(side)))) & (side - 1u);
-    uvec2 roots = shellTile[level.texels.y + texel.y * side + texel.x];
+    uvec2 roots = texelFetch(shellTile, int(level.texels.y + texel.y * side + texel.x)).xy;
     float wayTilt = dot(way, tilt);
     float perSquare = 1.0 / max(dot(way, way) + wayTilt * wayTilt, 1e-20);
     float chance = alongAxis(axes.chance, axis).z;
+    vec2 inCell = vec2(0.0);
     for (uint k = 0u; k < 2u; ++k) {
         uint bits = k == 0u ? roots.x : roots.y;
         TileRoot root = unpackRoot(bits);
@@ -139,13 +141,16 @@ TileHit tileHit(Slab slab, uint axis, uint coatNumber, ShellCoat coat, Level lev
         float radius = 0.5 * coat.width * widthShare(level, root.number) * (1.0 - coat.taper * t);
         float square = radius * radius * slab.stretch;
         float distance2 = dot(rest, rest) + restTilt * restTilt;
-        uint id = pcg(bits ^ pcg(uint(int(cell.x)) * 73856093u ^ uint(int(cell.y)) * 19349663u ^
-                                 stream * 83492791u));
-        if (distance2 < square && along < hit.along && rand01(id) < chance) {
+        // Any cheap draw will do that tells the roots of neighboring tiles apart.
+        float draw = fract(0.6180340 * float(root.number) + dot(cell, vec2(0.7548777, 0.5698403)));
+        if (distance2 < square && along < hit.along && fract(1021.7 * draw) < chance) {
             hit.along = along;
-            hit.id = id;
+            hit.id = bits;
+            inCell = cell;
             hit.across = sign(way.x * rest.y - way.y * rest.x) * sqrt(distance2 / square);
         }
     }
+    hit.id ^= uint(int(inCell.x)) * 73856093u ^ uint(int(inCell.y)) * 19349663u ^
+              stream * 83492791u;
     return hit;
 }

@@ -16,7 +16,7 @@ out vec3 combed;  // as the ground: where hair is combed
 #endif
 
 void main() {
-    ShellVertex v = shellVertices[skinVertex];
+    ShellVertex v = shellVertex(skinVertex);
     ground = groundOf(v, v, v, vec3(1.0, 0.0, 0.0), cornerColor.rgb);
     vec3 a = layerCoat == 0u ? v.overA : v.underA;
     vec3 b = layerCoat == 0u ? v.overB : v.underB;

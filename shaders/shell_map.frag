@@ -19,7 +19,7 @@ out vec4 color;
 
 // The light from what is cut. A photograph has the shade in its fur already.
 vec3 mapRadiance(MapCut cut, Ground g) {
-    Hit hit = Hit(0.0, layerAt, 0.0, cut.id, layerCoat == 0u);
+    Hit hit = Hit(0.0, layerAt, 0.0, cut.id, g.place, layerCoat == 0u);
     if (mapPhoto == 0u) return radianceOf(hit, g);
     Coat coat = fur.under;
     if (hit.over) coat = fur.over;

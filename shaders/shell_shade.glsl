@@ -5,22 +5,24 @@ struct Hit {
     float t;
     float across;  // from the middle of the hair, in half widths
     uint id;
+    vec3 root;     // m, on the skin at rest
     bool over;
 };
 
 // What the light here makes of a hair of this color, under a coat of optical depth `depth`.
 vec3 litHair(Hit hit, Coat coat, vec3 base, float depth, Ground g) {
     vec3 n = g.normal;
+    uint id = pcg(hit.id);
     Strand s;
     s.weightless = hit.over ? g.overA : g.underA;
     s.end = hit.over ? g.overB : g.underB;
     s.binormal = safeUnit(hit.over ? g.overAcross : g.underAcross, anyTangent(n));
     float twist = 3.1415927 * within(coat.normalRandomness, 0.0, 1.0) *
-                  (2.0 * rand01(hit.id + kDrawTwist) - 1.0);
+                  (2.0 * rand01(id + kDrawTwist) - 1.0);
     s.cosTwist = cos(twist);
     s.sinTwist = sin(twist);
     s.normal = n;
-    s.tone = 1.0 + within(coat.colorNoise, 0.0, 1.0) * (2.0 * rand01(hit.id + kDrawTone) - 1.0);
+    s.tone = 1.0 + within(coat.colorNoise, 0.0, 1.0) * (2.0 * rand01(id + kDrawTone) - 1.0);
     s.style = coat.style;
     s.clump = 0.0;
     s.curl = 0.0;

@@ -41,7 +41,6 @@ enum Storage : unsigned {
     materials = 5,
     mask = 6,
     roots = 7,
-    indices = 7,  // never with roots
     keys = 8,
     shellVertices = 8,  // never with keys
     runs = 9,
@@ -52,7 +51,6 @@ enum Storage : unsigned {
     seen = 11,          // never with lines
     shellCorners = 11,  // never with seen
     groups = 12,
-    shellTile = 12,  // never with groups
     segmentOf = 13,
     strips = 14,
     rodTable = 15

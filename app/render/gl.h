@@ -111,6 +111,14 @@ inline Texture makeTexture(ivec2 size, GLenum format, GLsizei levels = 1) {
     return Texture(name);
 }
 
+// The same memory, to be read as texels. To be made anew where the buffer is another one.
+inline Texture makeTexture(const Buffer& buffer, GLenum format) {
+    GLuint name = 0;
+    glCreateTextures(GL_TEXTURE_BUFFER, 1, &name);
+    glTextureBuffer(name, format, buffer.name());
+    return Texture(name);
+}
+
 inline Framebuffer makeFramebuffer(const Texture& color, const Texture* depth = nullptr) {
     GLuint name = 0;
     glCreateFramebuffers(1, &name);

@@ -19,7 +19,7 @@ namespace {
 
 // As in shaders/shell_hair.glsl.
 constexpr uint kTileHairs = 1024, kTileSide = 256, kTileLevels = 9;
-constexpr float kTileExcess = 1.28f;
+constexpr float kTileExcess = 1.45f;
 
 // As in shaders/shell_data.glsl.
 struct ShellCorner {
@@ -94,6 +94,7 @@ ShellPass::ShellPass()
       skin_(Program::draw("shell_over.vert", "shell_over.frag", {"SKIN"})),
       layer_(Program::draw("shell_layer.vert", "shell_layer.frag")),
       show_(Program::draw("screen.vert", "shell_show.frag")),
+      seenOut_(Program::draw("screen.vert", "shell_seen.frag")),
       sweptMarch_(Program::draw("screen.vert", "shell.frag")),
       sweptFromSkin_(Program::draw("screen.vert", "shell.frag", {"SKIN"})),
       plainMarch_(Program::draw("screen.vert", "shell.frag", {"PLAIN"})),
@@ -120,6 +121,7 @@ void ShellPass::makeTile() {
             texels.emplace_back(packed(map, texel.nearest), packed(map, texel.next));
     }
     tile_.upload(std::span<const uvec2>(texels));
+    tileRows_ = gl::makeTexture(tile_, GL_RG32UI);
 }
 
 void ShellPass::updateSkin(const Mirror& mirror, const Skin& atRest) {
@@ -128,6 +130,9 @@ void ShellPass::updateSkin(const Mirror& mirror, const Skin& atRest) {
     const std::vector<Curvature> curvatures = curvaturesOf(*shown_);
     curvatures_.upload(std::span<const Curvature>(curvatures));
     vertices_.resize(curvatures.size() * kShellVertexBytes);
+    vertexRows_ = gl::makeTexture(vertices_, GL_RGBA32F);
+    cornerRows_ = gl::makeTexture(mirror.corners(), GL_RGBA32UI);
+    indexRows_ = gl::makeTexture(mirror.surface().indices, GL_R32UI);
     corners_.resize(curvatures.size() * sizeof(ShellCorner));
     std::vector<uvec3> triangles;
     for (const uint t : mirror.surface().patches.order) triangles.push_back(shown_->triangles[t]);
@@ -149,7 +154,8 @@ void ShellPass::findCurves(const Mirror& mirror, const Document& document, uint 
     corners_.bindStorage(binding::shellCorners);
     const auto groups = static_cast<uint>((mirror.skin().vertices.size() + 63) / 64);
     if (groups > 0) glDispatchCompute(std::min(groups, 65535u), (groups + 65534u) / 65535u, 1);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT |
+                    GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 void ShellPass::resize(ivec2 size) {
@@ -158,7 +164,8 @@ void ShellPass::resize(ivec2 size) {
     hairColor_ = gl::makeTexture(size, GL_RGBA16F);
     hairDepth_ = gl::makeTexture(size, GL_R32F);
     seen_ = gl::makeTexture(size, GL_R8UI);
-    for (Peel& peel : peels_) {
+    for (Peel* each : {&peels_[0], &peels_[1], &visible_}) {
+        Peel& peel = *each;
         peel.found = gl::makeTexture(size, GL_RG32UI);
         peel.depth = gl::makeTexture(size, GL_DEPTH_COMPONENT32F);
         peel.target = gl::makeFramebuffer(peel.found, &peel.depth);
@@ -204,6 +211,7 @@ void ShellPass::march(const Program& program, const Peel& peel, const Canvas& ca
     glBindFramebuffer(GL_FRAMEBUFFER, peel.march.name());
     glClearBufferfv(GL_COLOR, 0, &none.x);
     glBindTextureUnit(2, peel.found.name());
+    glBindTextureUnit(7, visible_.found.name());
     program.use();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_NOTEQUAL);
@@ -216,18 +224,17 @@ void ShellPass::march(const Program& program, const Peel& peel, const Canvas& ca
 
     glBindFramebuffer(GL_FRAMEBUFFER, canvas.target.name());
     glBindTextureUnit(2, hairColor_.name());
-    glBindTextureUnit(3, hairDepth_.name());
+    glBindTextureUnit(8, hairDepth_.name());
     show_.use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDisable(GL_DEPTH_TEST);
-    glTextureBarrier();
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
 // What is found is marched at once, a pixel at a time and however small its triangle: first below
 // the surface over the fur that is nearest, then below what comes next behind it, as long as
-// anything does. Then from the skin where that did not see its fur: where the eye is in the fur,
-// and in hollows, whose outer surface lies in other parts of the body.
+// anything does. Then from the skin where that did not look for its fur: where the eye is in the
+// fur, and in hollows, whose outer surface lies in other parts of the body.
 void ShellPass::drawMarched(const Mirror& mirror, const Canvas& canvas, bool plain) {
     constexpr std::size_t kMostPeels = 4;
     resize(canvas.size);
@@ -236,8 +243,8 @@ void ShellPass::drawMarched(const Mirror& mirror, const Canvas& canvas, bool pla
     glClearTexImage(seen_.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
     glBindImageTexture(0, seen_.name(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R8UI);
     glBindTextureUnit(1, canvas.depth.name());
-    mirror.surface().indices.bindStorage(binding::indices);
     glClearNamedFramebufferfv(peels_[1].target.name(), GL_DEPTH, 0, &nearest);
+    find(mirror, skin_, offsetof(ShellCorner, position), visible_, peels_[1]);
     // The driver looks whether anything was found, so that nothing waits for the answer.
     while (anyFound_.size() < kMostPeels) anyFound_.push_back(gl::makeQuery(GL_ANY_SAMPLES_PASSED));
     for (std::size_t i = 0; i < kMostPeels; ++i) {
@@ -252,8 +259,20 @@ void ShellPass::drawMarched(const Mirror& mirror, const Canvas& canvas, bool pla
         march(plain ? plainMarch_ : sweptMarch_, peel, canvas);
         glEndConditionalRender();
     }
-    find(mirror, skin_, offsetof(ShellCorner, position), peels_[0], peels_[1]);
-    march(plain ? plainFromSkin_ : sweptFromSkin_, peels_[0], canvas);
+    leaveOutSeen();
+    march(plain ? plainFromSkin_ : sweptFromSkin_, visible_, canvas);
+}
+
+void ShellPass::leaveOutSeen() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, visible_.target.name());
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_ALWAYS);
+    seenOut_.use();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDepthFunc(GL_LESS);
+    glDisable(GL_DEPTH_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 void ShellPass::drawLayer(const Mirror& mirror, const Program& program, float t) const {
@@ -312,8 +331,11 @@ void ShellPass::draw(const Mirror& mirror, const Document& document, const View&
     block_.bindUniform(binding::shells);
     curvatures_.bindStorage(binding::curvatures);
     rest_.bindStorage(binding::restVertices);
-    tile_.bindStorage(binding::shellTile);
     vertices_.bindStorage(binding::shellVertices);
+    tile_.bindStorage(12); glBindTextureUnit(3, vertexRows_.name());
+    glBindTextureUnit(4, cornerRows_.name());
+    glBindTextureUnit(5, indexRows_.name());
+    glBindTextureUnit(6, tileRows_.name());
     findCurves(mirror, document, data.coats, frame.seconds);
     uint mapped = 0;
     for (uint coat = 0; coat < 2; ++coat)

@@ -48,6 +48,7 @@ private:
     void resize(ivec2 size);
     void find(const Mirror& mirror, const Program& program, std::size_t offset, const Peel& peel,
               const Peel& before) const;
+    void leaveOutSeen() const;
     void march(const Program& program, const Peel& peel, const Canvas& canvas) const;
     void drawMarched(const Mirror& mirror, const Canvas& canvas, bool plain);
     // From pictures, layer by layer in any case.
@@ -55,15 +56,16 @@ private:
     void drawLayer(const Mirror& mirror, const Program& program, float t) const;
     void drawLayers(const Mirror& mirror, uint coats);
 
-    Program curves_, rodCurves_, over_, skin_, layer_, show_;
+    Program curves_, rodCurves_, over_, skin_, layer_, show_, seenOut_;
     std::optional<Program> map_;  // made when it is first needed
     Program sweptMarch_, sweptFromSkin_, plainMarch_, plainFromSkin_;
     gl::VertexArray layerArray_, surfaceArray_;
     gl::Buffer tile_, block_, mapBlock_, vertices_, corners_, indices_, rest_, curvatures_,
         rodTable_;
     ivec2 size_{0};
-    Peel peels_[2];
+    Peel peels_[2], visible_;  // of the surface over the fur, and of the skin
     std::vector<gl::Query> anyFound_;
+    gl::Texture vertexRows_, cornerRows_, indexRows_, tileRows_;
     gl::Texture seen_, hairColor_, hairDepth_;
     ShellPictures pictures_;
     uint layers_ = 0;

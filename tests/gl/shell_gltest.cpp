@@ -22,8 +22,8 @@ constexpr float kWidth = 2 * kPixel;  // of a hair
 constexpr float kHeight = 64 * kPixel;
 
 // A flat patch under straight black hair of one coat, all of which leans alike along x.
-Document patch(uint hairs, float taper, float lean) {
-    Document document = test::evenDocument(test::sheet(2));
+Document patch(uint hairs, float taper, float lean, uint cells = 2) {
+    Document document = test::evenDocument(test::sheet(cells));
     const vec3 along = glm::normalize(vec3(lean, 1.0f, 0.0f));
     document.groom = test::evenGroom(*document.skin, {along, kHeight / along.y, vec3(1.0f), 1.0f});
     document.fur.share = 1.0f;
@@ -71,7 +71,7 @@ double mean(const std::vector<float>& values) {
 // The roots of the tile around the middle of the patch, from what shaders/shell_hair.glsl says of
 // the axis y, m.
 std::vector<vec2> rootsAround(float hairs) {
-    const float period = std::sqrt(1024.0f / (1.28f * hairs));
+    const float period = std::sqrt(1024.0f / (1.45f * hairs));
     const RootMap map = rootMap({.side = 1, .hairs = 1024});
     constexpr uint kStream = 4;
     std::vector<vec2> roots;
@@ -80,11 +80,10 @@ std::vector<vec2> rootsAround(float hairs) {
         for (int j = -reach; j <= reach; ++j)
             for (uint k = 0; k < 1024; ++k) {
                 const glm::uvec2 at(map.roots[k] * 2048.0f);
-                const uint bits = at.x | at.y << 11 | k << 22;
-                const uint id =
-                    pcg(bits ^ pcg(static_cast<uint>(i) * 73856093u ^
-                                   static_cast<uint>(j) * 19349663u ^ kStream * 83492791u));
-                if (!(rand01(id) < 1.0f / 1.28f)) continue;
+                const float rank = 0.6180340f * static_cast<float>(k) +
+                                   glm::dot(vec2(i, j), vec2(0.7548777f, 0.5698403f));
+                const float chance = 1021.7f * (rank - std::floor(rank));
+                if (!(chance - std::floor(chance) < 1.0f / 1.45f)) continue;
                 const vec2 place = (vec2(at) + 0.5f) / 2048.0f + vec2(i, j) -
                                    static_cast<float>(kStream) * vec2(0.7548777f, 0.5698403f);
                 const vec2 zx = period * place;
@@ -256,6 +255,38 @@ TEST(Shells, CoverWhatStrandsCoverInTheSameColor) {
                     shells / strands);
         EXPECT_NEAR(shells / strands, 1.0, 0.04);
     }
+}
+
+// Hair leans over a border between red and green skin: as far as its tips reach.
+TEST(Shells, HairHasTheColorOfItsRoot) {
+    Document document = patch(30000, 0.0f, 0.8f, 256);
+    document.fur.over.ambient = vec3(0.3f);
+    document.fur.over.rootColor = document.fur.over.tipColor = vec3(1.0f);
+    for (uint v = 0; v < document.skin->vertices.size(); ++v) {
+        const bool left = document.skin->vertices[v].position.x < 0.0f;
+        document.groom.fur.edit(v).tint = left ? vec3(1.0f, 0.0f, 0.0f) : vec3(0.0f, 1.0f, 0.0f);
+    }
+    Renderer renderer;
+    View view = slanted(0.0f, 0);
+    view.camera.distance *= 2.0f;
+    view.background = vec3(0.0f);
+    const auto redOfColumns = [&](Shells shells) {
+        view.shells = shells;
+        const std::vector<float> light = test::linear(test::picture(renderer, document, view));
+        std::vector<vec2> sums(kSide, vec2(0.0f));
+        for (std::size_t i = 0; i < light.size() / 3; ++i)
+            sums[i % kSide] += vec2(light[3 * i], light[3 * i + 1]);
+        std::vector<float> red;
+        for (const vec2 sum : sums) red.push_back(sum.x / (sum.x + sum.y));
+        return red;
+    };
+    const std::vector<float> strands = redOfColumns(Shells::none);
+    const std::vector<float> shells = redOfColumns(Shells::swept);
+    const double error = test::distanceOf(shells, strands);
+    std::printf("share of red in a column: RMSE %.4f\n", error);
+    EXPECT_GT(strands[kSide / 4], 0.99f);
+    EXPECT_LT(strands[3 * kSide / 4], 0.01f);
+    EXPECT_LT(error, 0.05);
 }
 
 // Both as they stand: the world turned about y with all that is in it.
