@@ -15,6 +15,7 @@
 #include "app/session.h"
 #include "app/settings.h"
 #include "app/shelf.h"
+#include "app/shell_choice.h"
 #include "app/theme.h"
 #include "app/viewport.h"
 #include "app/widgets.h"
@@ -41,7 +42,8 @@ enum class Dialog {
     savePreset,
     transfer,
     subdivide,
-    accuracy
+    accuracy,
+    shellPicture
 };
 
 struct Dialogs {
@@ -76,6 +78,7 @@ struct App {
     Tips tips;
     Viewport viewport;
     Shelf shelf;
+    ShellChoices shells;
     Dialogs dialogs;
     std::unique_ptr<Journal> journal;
     std::size_t journalStep = 0;  // the step of history that the journal's first line makes
@@ -187,6 +190,12 @@ unsigned accuracyTexture(const App& app, AccuracyPicture picture);
 // window is not busy. Returns the seconds until it should be called again.
 double stepAccuracy(App& app, double rested, bool busy);
 void saveAccuracy(App& app, const std::string& path);
+
+// What shells are cut from, of the coats that the panel shows (shell_edits.cpp). Where a file
+// cannot be read it stays what it was.
+void chooseShells(App& app, const ShellRecipe& recipe);
+void openShellPicture(App& app, const std::string& path, ShellRecipe::From from);
+void askForShellPicture(App& app, ShellRecipe::From from);
 
 // Files (files.cpp). All of them ask first when work would be lost, and then go on by themselves.
 void leave(App& app, std::function<void()> then);

@@ -148,9 +148,14 @@ void openAnimal(App& app) {
 void askForFile(App& app, Dialog purpose) {
     FileDialog& dialog = app.dialogs.files;
     dialog = {};
-    dialog.saving = purpose != Dialog::open && purpose != Dialog::transfer;
+    dialog.saving =
+        purpose != Dialog::open && purpose != Dialog::transfer && purpose != Dialog::shellPicture;
     std::string proposed = proposedName(app);
-    if (!dialog.saving) {
+    if (purpose == Dialog::shellPicture) {
+        dialog.title = "Open a picture to cut fur from";
+        dialog.accept = "Open";
+        dialog.extensions = {".png", ".jpg", ".jpeg"};
+    } else if (!dialog.saving) {
         const bool open = purpose == Dialog::open;
         dialog.title =
             open ? "Open a mesh or a groomed .glb" : "Transfer the groom of another file";

@@ -15,6 +15,7 @@ namespace {
 constexpr double kRest = 0.15;             // s without change until the picture converges
 constexpr double kPatience = 0.25;         // s of a frame, for the error of a picture at rest
 constexpr float kAccuracyHeight = 222.0f;  // of the panel, units of the design
+constexpr uint kMovingLayers = 12;         // of shells cut from pictures, while the hand moves
 
 bool asking(const App& app) {
     return app.dialogs.current != Dialog::none || !app.dialogs.problem.empty() ||
@@ -81,6 +82,8 @@ void drawPicture(App& app, Renderer& renderer, FrameKeys& keys, double now, bool
     if (moving) {
         view.detail.milliseconds = app.session.view.detail.milliseconds;
         view.samples = 1;
+        for (ShellSource& source : view.maps)
+            source.layers = std::min(source.layers, kMovingLayers);
     }
     view.lines = viewport.lines;
     // While the hand is on a panel, widgets answer first and the picture goes on afterwards. The

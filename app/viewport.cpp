@@ -171,6 +171,12 @@ View viewAtRest(const App& app) {
     view.detail = options.detail;
     view.detail.milliseconds = 0.0f;
     view.samples = options.samples;
+    if (app.isOpen())
+        for (std::size_t coat = 0; coat < view.maps.size(); ++coat) {
+            const auto& [recipe, picture, layers, preview] = app.shells.coats[coat];
+            view.maps[coat] = shellSource(picture, recipe, layers, app.skin().size());
+            if (picture.texture) (coat == 0 ? view.over : view.under) = DrawnAs::shells;
+        }
     view.posed = app.workspace.posed;
     view.background = kBackground;
     return view;

@@ -9,6 +9,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cctype>
 #include <cstdio>
@@ -122,6 +123,9 @@ void onDrop(GLFWwindow* handle, int count, const char** paths) {
     if (count < 1 || app.dialogs.current != Dialog::none) return;
     if (hasExtension(paths[0], kPresetExtension))
         dropPreset(app, paths[0]);
+    else if (std::ranges::any_of(std::array{".png", ".jpg", ".jpeg"},
+                                 [&](const char* end) { return hasExtension(paths[0], end); }))
+        openShellPicture(app, paths[0], ShellRecipe::From::photo);
     else
         openFile(app, paths[0]);
 }

@@ -41,6 +41,8 @@ struct PhotoOptions {
     float brightest = 0.99f;  // and below `high`: outliers do not count
     bool uniform = false;     // as many pixels in each layer as in any other
     bool twoColors = false;   // as colorRegions has them, each with a range of its own
+
+    bool operator==(const PhotoOptions&) const = default;
 };
 
 // Fur of one color.

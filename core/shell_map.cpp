@@ -14,6 +14,7 @@
 #include <numeric>
 
 #include "strand.h"
+#include "texel_cover.h"
 
 namespace pelage {
 namespace {
@@ -98,18 +99,6 @@ struct Averages {
     ivec2 size{0};
     std::vector<float> heights;
     std::vector<std::uint16_t> ids;
-};
-
-// The texels of the finer level that one of the coarser covers, [from, to) with parts of texels.
-struct Cover {
-    double from, to;
-
-    Cover(int at, int fine, int coarse)
-        : from(static_cast<double>(at) * fine / coarse),
-          to(static_cast<double>(at + 1) * fine / coarse) {}
-    int first() const { return static_cast<int>(from); }
-    int end() const { return static_cast<int>(std::ceil(to)); }
-    double share(int i) const { return std::min(to, i + 1.0) - std::max(from, double(i)); }
 };
 
 Averages halved(const Averages& fine) {

@@ -52,6 +52,8 @@ std::size_t texelsWithLevels(ivec2 size);
 struct ShellCut {
     float coverage = 0.5f;  // at the root, (0,1]
     float taper = 1.0f;     // [0,1]; 1 = to a point
+
+    bool operator==(const ShellCut&) const = default;
 };
 
 // Round hairs of one size, straight up from roots that are spread evenly over the tile; so are
@@ -91,6 +93,8 @@ struct NoisePattern {
     int side = 256;        // texels, 1 to 8192
     int mask = 5;          // texels of each side of the averaging mask: 1, 3, 5, 7 or 9
     bool weighted = true;  // binomial weights; else all alike
+
+    bool operator==(const NoisePattern&) const = default;
 };
 Plane noisePicture(const NoisePattern& pattern);
 

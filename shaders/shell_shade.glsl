@@ -9,11 +9,10 @@ struct Hit {
     bool over;
 };
 
-vec3 radianceOf(Hit hit, Ground g) {
+// What the light here makes of a hair of this color, under a coat of optical depth `depth`.
+vec3 litHair(Hit hit, Coat coat, vec3 base, float depth, Ground g) {
     vec3 n = g.normal;
     uint id = pcg(hit.id);
-    Coat coat = fur.under;
-    if (hit.over) coat = fur.over;
     Strand s;
     s.weightless = hit.over ? g.overA : g.underA;
     s.end = hit.over ? g.overB : g.underB;
@@ -29,16 +28,22 @@ vec3 radianceOf(Hit hit, Ground g) {
     s.curl = 0.0;
     s.frizz = 0.0;
     s.droop = kDroopPaper;
-    vec3 base = g.tint * mix(vec3(1.0), g.bare, fur.skinColor);
     Light light = frame.light;  // as seen from the skin at rest
     light.toKey = safeUnit(g.toKey, n);
     light.sky = skyLight(frame.light, vec3(0.0, g.skyward, 0.0));
     light.ground = light.sky;
-    float depth = depthInCoat(fur, frame.hairsPerArea * g.density, g.furLength, frame.overWidth,
-                              frame.underWidth, hit.over ? 0u : 1u, hit.t);
     if (coat.style == kStyleRibbon || coat.style == kStyleTube)
         return roundRadiance(s, coat, light, base, hit.t, g.eye, depth);
     return fiberRadiance(s, coat, light, base, hit.t, g.eye, depth);
+}
+
+vec3 radianceOf(Hit hit, Ground g) {
+    Coat coat = fur.under;
+    if (hit.over) coat = fur.over;
+    vec3 base = g.tint * mix(vec3(1.0), g.bare, fur.skinColor);
+    float depth = depthInCoat(fur, frame.hairsPerArea * g.density, g.furLength, frame.overWidth,
+                              frame.underWidth, hit.over ? 0u : 1u, hit.t);
+    return litHair(hit, coat, base, depth, g);
 }
 
 // Pixels that a metre is wide there.

@@ -12,6 +12,7 @@
 #include "app/cli/picture.h"
 #include "app/cli/print.h"
 #include "app/cli/reference.h"
+#include "app/cli/shell_options.h"
 #include "app/render/framing.h"
 #include "core/pose.h"
 
@@ -39,6 +40,7 @@ struct Options {
     std::optional<float> distance;     // m
     float yaw = 35.0f, pitch = 12.0f;  // degrees
     std::string layers = "auto";
+    ShellOptions shells;
     int samples = 16, repeat = 3;
     bool transparent = false;
     Detail detail;
@@ -130,6 +132,7 @@ View viewOf(const Document& document, const Options& options) {
     view.detail = options.detail;
     setTechnique(view, options);
     view.layers = *parseLayers(options.layers);
+    useShellOptions(view, options.shells, document.skin->size());
     view.transparent = options.transparent;
     if (options.distance) view.camera.distance = *options.distance;
     return view;
@@ -183,6 +186,7 @@ OrderedJson jsonOf(const Options& options, const Document& document, const View&
             {"inShells", {stats.inShells.x, stats.inShells.y}},
             {"layers", stats.layers},
             {"textureBytes", stats.textureBytes},
+            {"storedLayersBytes", storedLayersBytes(view)},
             {"msShellPass", 1e3 * stats.shellSeconds},
             {"msFrame", median(times)},
             {"msFrames", times},
@@ -230,7 +234,7 @@ void render(const Options& options, bool json) {
     if (json) {
         printJson(result);
     } else {
-        print(textOf(result));
+        print(textOf(result) + textureText(view, stats.textureBytes));
     }
 }
 
@@ -267,6 +271,7 @@ void addRender(CLI::App& app, bool& json) {
         ->type_name("N")
         ->capture_default_str()
         ->check(CLI::Validator(checkLayers, ""));
+    addShellOptions(*verb, options->shells);
     verb->add_option("--clip", options->clip,
                      "Stand as in this animation, by name or number; see pelage info")
         ->type_name("NAME");

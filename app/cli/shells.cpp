@@ -7,11 +7,10 @@
 
 #include "app/cli/cli.h"
 #include "app/cli/print.h"
+#include "app/cli/shell_options.h"
 #include "core/files.h"
-#include "core/photo_layers.h"
 #include "core/pixels.h"
-#include "core/shell_map.h"
-#include "core/srgb.h"
+#include "core/shell_source.h"
 
 namespace pelage {
 namespace {
@@ -154,9 +153,7 @@ PhotoLayers layersOf(const Image& photo, const Options& options) {
 }
 
 void writePhoto(const Options& options, bool json) {
-    if (!(options.clamp[0] < options.clamp[1]))
-        throw UsageError(
-            format("shells --clamp: %g is not below %g", options.clamp[0], options.clamp[1]));
+    expectRising("shells --clamp", options.clamp);
     Image photo = readImage(options.photo);
     const PhotoLayers layers = layersOf(photo, options);
     const Pixels pixels = displayPixels(photo);
@@ -175,15 +172,6 @@ void writePhoto(const Options& options, bool json) {
     } else {
         print(textOf(options, layers) + writtenText(options.folder, files));
     }
-}
-
-// Grey as it is displayed, which is what a painter of heights sees; 0 where there is nothing.
-Plane greyOf(const Image& image) {
-    Plane plane{image.size, {}};
-    for (const vec4& pixel : image.pixels)
-        plane.values.push_back(
-            pixel.a > 0.0f ? pixel.a * srgbFromLinear(luminance(vec3(pixel)) / pixel.a) : 0.0f);
-    return plane;
 }
 
 ShellMap mapOf(const Options& options) {
@@ -254,16 +242,7 @@ void addPhotoOptions(CLI::App& verb, Options& options, CLI::Option& photo) {
                   "Each layer also holds what is in those outside it, so that hairs are columns")
         ->needs(&photo)
         ->group(group);
-    verb.add_option("--clamp", options.clamp,
-                    "Percent of the pixels below the darkest and the brightest tone that counts")
-        ->type_name("LOW,HIGH")
-        ->delimiter(',')
-        ->expected(2)
-        ->allow_extra_args(false)
-        ->check(CLI::Range(0.0, 100.0))
-        ->default_str("1,99")
-        ->needs(&photo)
-        ->group(group);
+    addClampOption(verb, "--clamp", options.clamp)->needs(&photo)->group(group);
     verb.add_flag("--two-colors", options.twoColors, "A range of tones for each color of the fur")
         ->needs(&photo)
         ->group(group);

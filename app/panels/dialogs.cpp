@@ -126,6 +126,7 @@ void drawFiles(App& app) {
             if (purpose == Dialog::exportAs) exportTo(app, path);
             if (purpose == Dialog::transfer) transferFrom(app, path);
             if (purpose == Dialog::accuracy) saveAccuracy(app, path);
+            if (purpose == Dialog::shellPicture) openShellPicture(app, path, app.shells.asked);
         }
     }
     ImGui::EndPopup();
@@ -219,6 +220,7 @@ void drawDialogs(App& app) {
         case Dialog::exportAs:
         case Dialog::transfer:
         case Dialog::accuracy:
+        case Dialog::shellPicture:
             return drawFiles(app);
         case Dialog::subdivide:
             return drawSubdivide(app);

@@ -30,6 +30,7 @@ void drawPresets(App& app);
 void drawSavePreset(App& app);
 void drawRegions(App& app);
 void drawView(App& app);
+void drawShells(App& app);  // a section of it
 void drawHistory(App& app);
 void drawSegments(App& app);
 // A drop-down list of the body segments; the number of the one that is chosen now.

@@ -125,6 +125,9 @@ void drawView(App& app) {
     toggleRow(ui, "Play wind", &view.playWind,
               "The wind of the coat panel blows; the picture never rests.");
 
+    ImGui::Dummy({0, app.theme.px(3)});
+    drawShells(app);
+
     caption(ui, "PICTURE");
     if (const auto samples =
             numberRow(ui, "Samples", static_cast<float>(view.samples),

@@ -31,7 +31,7 @@ static_assert(sizeof(FrameData) == 64 + 16 + 16 + 48 + 16 + 16 + 16 + 16);
 
 // Where each buffer and texture is bound: the numbers in shaders/*.
 namespace binding {
-enum Uniform : unsigned { frame = 0, fur = 1, shells = 2 };
+enum Uniform : unsigned { frame = 0, fur = 1, shells = 2, shellMap = 3 };
 enum Storage : unsigned {
     skinVertices = 0,
     furVertices = 1,
@@ -48,14 +48,14 @@ enum Storage : unsigned {
     counters = 10,
     restVertices = 10,  // never with counters
     lines = 11,
-    seen = 11,  // never with lines
+    seen = 11,          // never with lines
     shellCorners = 11,  // never with seen
     groups = 12,
     segmentOf = 13,
     strips = 14,
     rodTable = 15
 };
-enum Texture : unsigned { baseColors = 0, skinDepth = 1 };
+enum Texture : unsigned { baseColors = 0, skinDepth = 1, shellPicture = 2 };
 }  // namespace binding
 
 }  // namespace pelage

@@ -44,6 +44,7 @@ struct PictureKey {
     Shells shells;
     DrawnAs over, under;
     uint layers;
+    std::array<ShellSource, 2> maps;
     uint segments, sides;
     float tolerance, seconds;
     vec4 behind;
@@ -63,6 +64,7 @@ struct PictureKey {
           over(v.over),
           under(v.under),
           layers(v.layers),
+          maps(v.maps),
           segments(v.segments),
           sides(v.sides),
           tolerance(v.tolerance),

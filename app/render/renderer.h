@@ -1,6 +1,7 @@
 // renderer.h -- the frame: skin, hair, overlays, into a texture that a window or a file shows.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -10,6 +11,7 @@
 #include "app/render/camera.h"
 #include "core/detail.h"
 #include "core/document.h"
+#include "core/shell_source.h"
 
 namespace pelage {
 
@@ -39,6 +41,7 @@ struct View {
     Shells shells = Shells::none;       // overlays are shown on single hairs in any case
     DrawnAs over = DrawnAs::shells, under = DrawnAs::shells;  // where there are shells
     uint layers = 0;        // of shells, [0, 256]; 0 = as many as they need
+    std::array<ShellSource, 2> maps;  // what shells of over- and undercoat are cut from
     Detail detail;          // how many hairs, and how fine
     bool coarsens = true;   // the skin too, where edges may be off; half as far
     bool waits = true;      // for coarser skin to be made; else draws finer till then
@@ -71,7 +74,7 @@ struct FrameStats {
     double shellSeconds = 0.0;     // of those, for the shells
     vec2 inShells{0.0f};           // share of overcoat and undercoat in the picture, [0,1]
     uint layers = 0;               // of shells
-    std::size_t textureBytes = 0;  // of shells
+    std::size_t textureBytes = 0;  // of shells: what they are cut from, all levels
     int samples = 0;               // averaged in the picture so far
     bool finished = false;         // nothing will change unless document or view do
 };

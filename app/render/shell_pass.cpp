@@ -246,8 +246,7 @@ void ShellPass::drawMarched(const Mirror& mirror, const Canvas& canvas, bool pla
     glClearNamedFramebufferfv(peels_[1].target.name(), GL_DEPTH, 0, &nearest);
     find(mirror, skin_, offsetof(ShellCorner, position), visible_, peels_[1]);
     // The driver looks whether anything was found, so that nothing waits for the answer.
-    while (anyFound_.size() < kMostPeels)
-        anyFound_.push_back(gl::makeQuery(GL_ANY_SAMPLES_PASSED));
+    while (anyFound_.size() < kMostPeels) anyFound_.push_back(gl::makeQuery(GL_ANY_SAMPLES_PASSED));
     for (std::size_t i = 0; i < kMostPeels; ++i) {
         const Peel& peel = peels_[i % 2];
         const GLuint query = anyFound_[i].name();
@@ -276,22 +275,42 @@ void ShellPass::leaveOutSeen() const {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
+void ShellPass::drawLayer(const Mirror& mirror, const Program& program, float t) const {
+    glProgramUniform1f(program.name(), 2, t);
+    drawSurface(layerArray_, mirror, mirror.surface(), allOf(mirror.surface().patches), false,
+                [&](const Mirror::Part&) -> const Program& { return program; });
+}
+
+// The last layer lies on the skin, and is to be seen there.
+void ShellPass::drawMap(const Mirror& mirror, const ShellSource& source, uint coat) {
+    const ShellMapData data = mapData(source);
+    mapBlock_.upload(std::span<const ShellMapData>(&data, 1));
+    mapBlock_.bindUniform(binding::shellMap);
+    glBindTextureUnit(binding::shellPicture, pictures_.textureOf(source.texture).name());
+    layers_ = std::max(layers_, source.layers);
+    if (!map_) map_ = Program::draw("shell_layer.vert", "shell_map.frag", {"MAP"});
+    glProgramUniform1ui(map_->name(), 3, coat);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(-1.0f, -1.0f);
+    for (uint k = 1; k <= source.layers; ++k) {
+        glProgramUniform1ui(map_->name(), 4, k);
+        drawLayer(mirror, *map_, source.layerAt(k));
+    }
+    glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
 void ShellPass::drawLayers(const Mirror& mirror, uint coats) {
+    if (layers_ == 0) layers_ = kFirstLayers;
     for (uint coat = 0; coat < 2; ++coat) {
         if (!(coats >> coat & 1u)) continue;
         glProgramUniform1ui(layer_.name(), 3, coat);
-        for (uint k = 0; k < layers_; ++k) {
-            const float t = (static_cast<float>(k) + 0.5f) / static_cast<float>(layers_);
-            glProgramUniform1f(layer_.name(), 2, t);
-            drawSurface(layerArray_, mirror, mirror.surface(), allOf(mirror.surface().patches),
-                        false, [&](const Mirror::Part&) -> const Program& { return layer_; });
-        }
+        for (uint k = 0; k < layers_; ++k)
+            drawLayer(mirror, layer_, (static_cast<float>(k) + 0.5f) / static_cast<float>(layers_));
     }
 }
 
 void ShellPass::draw(const Mirror& mirror, const Document& document, const View& view,
-                     const FrameData& frame, const gl::Buffer& frameBlock,
-                     const Canvas& canvas) {
+                     const FrameData& frame, const gl::Buffer& frameBlock, const Canvas& canvas) {
     const Fur& fur = document.fur;
     ShellData data;
     data.over = {periodOf(fur.share * frame.hairsPerArea), frame.overWidth, fur.over.taper,
@@ -301,8 +320,8 @@ void ShellPass::draw(const Mirror& mirror, const Document& document, const View&
     data.coats = frame.coats & ((fur.share > 0.0f ? 1u : 0u) | (fur.share < 1.0f ? 2u : 0u));
     data.layers = view.layers;
     data.leastWidth = view.detail.rule == Detail::Rule::all ? 0.0f : 1.0f;
-    layers_ = view.layers;
-    if (view.shells == Shells::instanced && layers_ == 0) layers_ = kFirstLayers;
+    layers_ = 0;
+    textureBytes_ = 0;
     if (!(frame.hairsPerArea > 0.0f) || data.coats == 0) return;
     block_.upload(std::span<const ShellData>(&data, 1));
 
@@ -318,15 +337,30 @@ void ShellPass::draw(const Mirror& mirror, const Document& document, const View&
     glBindTextureUnit(5, indexRows_.name());
     glBindTextureUnit(6, tileRows_.name());
     findCurves(mirror, document, data.coats, frame.seconds);
-    if (view.shells == Shells::instanced)
-        drawLayers(mirror, data.coats);
-    else
-        drawMarched(mirror, canvas, view.shells == Shells::plain);
+    uint mapped = 0;
+    for (uint coat = 0; coat < 2; ++coat)
+        if (view.maps[coat].texture) mapped |= data.coats & 1u << coat;
+    data.coats &= ~mapped;
+    if (data.coats != 0) {
+        textureBytes_ = tile_.bytes();
+        layers_ = view.layers;
+        block_.write(0, std::span<const ShellData>(&data, 1));
+        if (view.shells == Shells::instanced)
+            drawLayers(mirror, data.coats);
+        else
+            drawMarched(mirror, canvas, view.shells == Shells::plain);
+    }
+    // A photograph shows all of a fur.
+    if (mapped == 3u && view.maps[0] == view.maps[1] && view.maps[0].texture->photo) mapped = 1u;
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas.target.name());
+    for (uint coat = 0; coat < 2; ++coat)
+        if (mapped >> coat & 1u) drawMap(mirror, view.maps[coat], coat);
+    textureBytes_ += pictures_.keep(view.maps);
 }
 
 std::size_t ShellPass::bytes() const {
-    return textureBytes() + vertices_.bytes() + rest_.bytes() + curvatures_.bytes() +
-           rodTable_.bytes();
+    return tile_.bytes() + pictures_.bytes() + vertices_.bytes() + rest_.bytes() +
+           curvatures_.bytes() + rodTable_.bytes();
 }
 
 }  // namespace pelage

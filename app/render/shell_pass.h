@@ -12,6 +12,7 @@
 #include "app/render/mirror.h"
 #include "app/render/program.h"
 #include "app/render/renderer.h"
+#include "app/render/shell_pictures.h"
 
 namespace pelage {
 
@@ -23,8 +24,9 @@ public:
     void draw(const Mirror& mirror, const Document& document, const View& view,
               const FrameData& frame, const gl::Buffer& frameBlock, const Canvas& canvas);
 
-    uint layers() const { return layers_; }                     // of the last draw
-    std::size_t textureBytes() const { return tile_.bytes(); }  // of the tile of roots, all levels
+    // Of the last draw: layers, and bytes of the tile of roots or the pictures, all levels.
+    uint layers() const { return layers_; }
+    std::size_t textureBytes() const { return textureBytes_; }
     std::size_t bytes() const;
 
 private:
@@ -49,18 +51,25 @@ private:
     void leaveOutSeen() const;
     void march(const Program& program, const Peel& peel, const Canvas& canvas) const;
     void drawMarched(const Mirror& mirror, const Canvas& canvas, bool plain);
+    // From pictures, layer by layer in any case.
+    void drawMap(const Mirror& mirror, const ShellSource& source, uint coat);
+    void drawLayer(const Mirror& mirror, const Program& program, float t) const;
     void drawLayers(const Mirror& mirror, uint coats);
 
     Program curves_, rodCurves_, over_, skin_, layer_, show_, seenOut_;
+    std::optional<Program> map_;  // made when it is first needed
     Program sweptMarch_, sweptFromSkin_, plainMarch_, plainFromSkin_;
     gl::VertexArray layerArray_, surfaceArray_;
-    gl::Buffer tile_, block_, vertices_, corners_, indices_, rest_, curvatures_, rodTable_;
+    gl::Buffer tile_, block_, mapBlock_, vertices_, corners_, indices_, rest_, curvatures_,
+        rodTable_;
     ivec2 size_{0};
     Peel peels_[2], visible_;  // of the surface over the fur, and of the skin
     std::vector<gl::Query> anyFound_;
     gl::Texture vertexRows_, cornerRows_, indexRows_, tileRows_;
     gl::Texture seen_, hairColor_, hairDepth_;
+    ShellPictures pictures_;
     uint layers_ = 0;
+    std::size_t textureBytes_ = 0;
     std::optional<CurveKey> curvesOf_;
     std::shared_ptr<const Skin> shown_;  // whose curvatures are known
 };

@@ -439,6 +439,29 @@ head -c 900 ramp.jpg >cut.jpg
 bad 1 'cut\.png: is no PNG or JPEG picture' shells --photo cut.png -o never
 bad 1 'cut\.jpg: ends after 900 bytes, in the middle of the picture' shells --photo cut.jpg -o never
 bad 1 'none\.png: all of 9x7 pixels are transparent' shells --photo none.png -o never
+# The same in the fur.
+drawn() { json "$1" -- render tetra.obj --size 32x32 --samples 1 --repeat 1 -o s.png --json "${@:2}"; }
+drawn 'j.layers === 16 && j.textureBytes === 4 * 87381 && j.storedLayersBytes === 4096 * 1024' \
+    --technique shells --shell-photo ramp.png
+drawn 'j.layers === 5 && j.textureBytes === 4 * 174763' --technique shells --layers 5 \
+    --shell-photo two.png --shell-two-colors --shell-clamp 0,100 --shell-side 0.1 --shell-gap 0.5
+drawn 'j.textureBytes > 4 * 87381' --technique shells-plain --shell-noise --shell-coat under
+drawn 'j.textureBytes === 4 * 87381' --technique shells-instanced --shell-image ramp.jpg --shell-coverage 0.9
+for name in black white brown dot deep grey alpha; do
+    good render tetra.obj --size 32x32 --samples 1 -o s.png --technique shells --shell-photo $name.png
+done
+bad 1 'cut\.png: is no PNG or JPEG picture' render tetra.obj -o never.png --technique shells --shell-photo cut.png
+bad 1 'cut\.jpg: ends after 900 bytes, in the middle of the picture' \
+    render tetra.obj -o never.png --technique shells --shell-photo cut.jpg
+bad 1 'none\.png: all of 9x7 pixels are transparent' \
+    render tetra.obj -o never.png --technique shells --shell-photo none.png
+bad 2 'render --shell-photo: needs a --technique of shells' render tetra.obj -o never.png --shell-photo ramp.png
+bad 2 'render --shell-clamp: 60 is not below 40' \
+    render tetra.obj -o never.png --technique shells --shell-photo ramp.png --shell-clamp 60,40
+bad 2 'render .*--shell-photo excludes --shell-noise' \
+    render tetra.obj -o never.png --technique shells --shell-noise --shell-photo ramp.png
+bad 2 'render .*--shell-gap' render tetra.obj -o never.png --technique shells --shell-noise --shell-gap 0
+[ ! -e never.png ] || fail "a refused render wrote its picture"
 bad 1 'no\.png: ' shells --photo no.png -o never
 bad 2 'shells .*--layers: .*0' shells --photo ramp.png --layers 0 -o never
 bad 2 'shells .*--layers: .*257' shells --photo ramp.png --layers 257 -o never
