@@ -40,6 +40,7 @@ struct Look {  // what the colors of one hair are made from
     vec3 eye;        // unit, towards it
     float perArea;   // hairs of both coats, 1/m^2
     float painted;   // m, length of the overcoat here
+    float ahead;     // t that is seen before t = 0 of the axis, less where the hair is narrower
     bool wide;       // so many pixels that its sides are told apart
 };
 
@@ -50,6 +51,7 @@ Look lookOf(Root root, Strand s, bool over, float keep, vec3 eye, float pixels) 
     look.eye = eye;
     look.perArea = frame.hairsPerArea * keep;
     float relative = over ? fur.over.relativeLength : fur.under.relativeLength;
+    look.ahead = 0.0;
     look.painted = s.spineLength / max(relative, 1e-6);
     look.wide = pixels > kRoundFrom;
     return look;
@@ -68,6 +70,7 @@ float depthAt(Strand s, Look look, float t) {
 
 // Radiance of a hair at t, as a whole.
 vec3 wholeColor(Strand s, bool over, Look look, float t) {
+    t = clamp(t + look.ahead * (1.0 - (over ? fur.over.taper : fur.under.taper) * t), 0.0, 1.0);
     float depth = depthAt(s, look, t);
     if (over) return RADIANCE(s, fur.over, frame.light, look.base, t, look.eye, depth);
     return RADIANCE(s, fur.under, frame.light, look.base, t, look.eye, depth);

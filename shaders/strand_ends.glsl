@@ -9,6 +9,21 @@ const float kMeanBulge = 0.3926991;
 
 #ifdef THIN
 
+struct Front {    // of the round hair before its axis, in widths
+    float rise;   // towards the eye
+    float ahead;  // along the hair: what is seen at a place of the axis is nearer the tip where the
+                  // hair points to the eye
+};
+
+// As the hair runs from its root to its tip; near its end, which looks at the eye, no further than
+// where it makes 18 degrees with the view.
+Front frontOf(Strand s, float bulge, vec3 eye) {
+    vec2 k = strandWeights(s, 1.0);
+    vec3 along = safeUnit(k.x * s.weightless + k.y * s.end, s.normal);
+    float slope = clamp(dot(along, eye) / max(sineBetween(along, eye), 1e-3), -3.0, 3.0);
+    return Front(bulge * sqrt(1.0 + slope * slope), bulge * slope);
+}
+
 void roundEnds(uint segments, float bulge) {
     vec2 step = points[1].xy - points[0].xy;
     points[0].xy -= bulge * points[0].w * inversesqrt(max(dot(step, step), 1e-12)) * step;
@@ -25,11 +40,10 @@ struct Ends {     // pixels at both ends of the hair
 };
 
 // What is seen of a hair is its front: towards the root where it points to the eye. Its outline stays
-// where it is. Of narrow hair that is left out.
+// where it is.
 Ends roundEnds(uint segments, float bulge, float zPerPixel) {
     float rootWidth = points[0].w;
     float tipWidth = points[segments].w;
-    float roundness = clamp(3.0 * (rootWidth / kRoundFrom - 1.0), 0.0, 1.0);
     float pixelsPerZ = 1.0 / zPerPixel;
     Ends ends = Ends(vec2(0.0), vec2(0.0));
     vec2 ahead = vec2(0.0);  // unit, of the hair in the window
@@ -50,7 +64,7 @@ Ends roundEnds(uint segments, float bulge, float zPerPixel) {
             narrowing = -step.w * perPixel;
         }
         float front = bulge * p.w;
-        float back = roundness * front * cosine;
+        float back = front * cosine;
         if (i == 0u) {
             ends.fronts.x = front - back;
             ends.balls.x = back = front;
@@ -63,7 +77,7 @@ Ends roundEnds(uint segments, float bulge, float zPerPixel) {
         }
         points[i].xy -= back * ahead;
 #if STYLE != 4
-        if (p.z > 0.0) points[i].z = max(p.z + roundness * sine * front * zPerPixel, 0.0);
+        if (p.z > 0.0) points[i].z = max(p.z + sine * front * zPerPixel, 0.0);
 #endif
     }
     return ends;

@@ -126,10 +126,13 @@ void main() {
 #endif
 #endif
     vec3 eye = toEye(s.origin);
-#if !defined(THIN) || STYLE == 4
     vec4 nearer = frame.viewProjection * vec4(eye, 0.0);
     float zPerMetre = 0.5 * (nearer.z * origin.w - origin.z * nearer.w) /
                       max(origin.w * origin.w, 1e-12);
+    // A hair that stands for several has fronts and ends as round as each of them.
+    float bulge = kMeanBulge / max(widened, 1e-3);
+#ifdef THIN
+    Front front = frontOf(s, bulge, eye);
 #endif
     vec4 weightless = frame.viewProjection * vec4(s.scale * s.weightless, 0.0);
     vec4 end = frame.viewProjection * vec4(s.scale * s.end, 0.0);
@@ -145,15 +148,17 @@ void main() {
         vec2 k = strandWeights(s, at);
         vec4 clip = origin + k.x * weightless + k.y * end;
 #endif
-        points[i] = toWindow(clip, strandWidth(s, taper, at));
+        float across = strandWidth(s, taper, at);
+        points[i] = toWindow(clip, across);
+#if defined(THIN) && STYLE != 4
+        if (points[i].z > 0.0) points[i].z = max(points[i].z + front.rise * zPerMetre * across, 0.0);
+#endif
 #if defined(DEPTH_PASS) && defined(THIN)
         // Before its ends move, by less than .6 pixels: afterwards it would take a loop of its own.
         if (!seen) seen = mayBeSeen(points[i]);
 #endif
     }
 
-    // A hair that stands for several has ends as round as each of them.
-    float bulge = kMeanBulge / max(widened, 1e-3);
 #ifdef THIN
     roundEnds(segments, bulge);
 #else
@@ -187,6 +192,9 @@ void main() {
 
 #ifndef DEPTH_PASS
     Look look = lookOf(root, s, over, keep, eye, points[0].w);
+#if defined(THIN) && STYLE != 3
+    look.ahead = front.ahead * s.width / s.spineLength;
+#endif
     // Color varies slowly along a hair: every second point is enough, and a parabola where those are
     // far apart.
 #if STYLE == 3

@@ -132,14 +132,14 @@ TEST(Live, PicturesAreAsBrightAsTheReference) {
     for (const Preset& preset : presets()) compareLight(renderer, preset, {kStylePolyline}, most);
     test::measured("I10", "bias of the mean luminance, polylines of all presets",
                    most[kStylePolyline], 0.01);
-    EXPECT_LT(most[kStylePolyline], 0.025);  // hair of about a pixel, drawn without its front
+    EXPECT_LT(most[kStylePolyline], 0.015) << "narrow hair without its front would be 2 % off";
     most.assign(5, 0.0);
     compareLight(renderer, presets().front(), {kStyleLine, kStyleRibbon, kStyleCurve, kStyleTube},
                  most);
     for (const uint style : {kStyleRibbon, kStyleCurve, kStyleTube}) {
         const std::string what = std::string("bias of the mean luminance, ") + kStyles[style];
         test::measured("I10", what.c_str(), most[style], 0.01);
-        EXPECT_LT(most[style], 0.025) << kStyles[style];
+        EXPECT_LT(most[style], 0.01) << kStyles[style];
     }
     // Straight hair stands where bent hair does not.
     test::measured("I10", "bias of the mean luminance, line", most[kStyleLine], 0.01);
