@@ -25,6 +25,7 @@ void requireCapabilities() {
         {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, 6, "storage buffers in a vertex shader"},
         {GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, 1, "storage buffers in a fragment shader"},
         {GL_MAX_COMPUTE_IMAGE_UNIFORMS, 1, "images in a compute shader"},
+        {GL_MAX_TEXTURE_BUFFER_SIZE, 1 << 25, "texels in a buffer"},
     };
     for (const auto& [limit, needed, name] : limits) {
         int offered = 0;

@@ -40,13 +40,13 @@ struct View {
     std::shared_ptr<const Skin> posed;  // the document's skin as it stands (pose.h); null = at rest
     Shells shells = Shells::none;       // overlays are shown on single hairs in any case
     DrawnAs over = DrawnAs::shells, under = DrawnAs::shells;  // where there are shells
-    uint layers = 0;        // of shells, [0, 256]; 0 = as many as they need
+    uint layers = 0;                  // of shells, [0, 256]; 0 = as many as they need
     std::array<ShellSource, 2> maps;  // what shells of over- and undercoat are cut from
-    Detail detail;          // how many hairs, and how fine
-    bool coarsens = true;   // the skin too, where edges may be off; half as far
-    bool waits = true;      // for coarser skin to be made; else draws finer till then
-    bool culls = true;      // leaves out early what cannot be seen; changes no picture
-    int samples = 1;        // frames that the still picture averages, [1, 1024]
+    Detail detail;                    // how many hairs, and how fine
+    bool coarsens = true;             // the skin too, where edges may be off; half as far
+    bool waits = true;                // for coarser skin to be made; else draws finer till then
+    bool culls = true;                // leaves out early what cannot be seen; changes no picture
+    int samples = 1;                  // frames that the still picture averages, [1, 1024]
     double patience = 1e9;  // s that a frame of all hairs may take, for the error to be measured
     vec3 background{0.58f, 0.63f, 0.69f};  // linear RGB
     bool transparent = false;              // nothing is behind: the coverage is the alpha

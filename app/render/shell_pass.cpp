@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/render/shell_data.h"
 #include "app/render/surface.h"
 #include "core/curvature.h"
 #include "core/elastica.h"
@@ -20,39 +21,6 @@ namespace {
 // As in shaders/shell_hair.glsl.
 constexpr uint kTileHairs = 1024, kTileSide = 256, kTileLevels = 9;
 constexpr float kTileExcess = 1.45f;
-
-// As in shaders/shell_data.glsl.
-struct ShellCorner {
-    vec3 outer;
-    float top;
-    vec3 position;
-    uint pad0;
-    vec3 normal;
-    uint pad1;
-};
-static_assert(sizeof(ShellCorner) == 48);
-
-// The uniform block of shaders/shell_data.glsl, as C++.
-struct ShellCoat {
-    float period = 1.0f, width = 0.0f, taper = 0.0f, stray = 0.0f;
-};
-struct ShellData {
-    ShellCoat over, under;
-    uint layers = 0;
-    float leastWidth = 1.0f;
-    uint coats = 3;
-    uint pad0 = 0;
-};
-static_assert(sizeof(ShellData) == 48);
-
-// As in shaders/shell.vert, and the bytes of a ShellVertex of shaders/shell_data.glsl.
-struct RestVertex {
-    vec3 position{0.0f};
-    uint pad0 = 0;
-    vec4 turn{0.0f, 0.0f, 0.0f, 1.0f};
-};
-static_assert(sizeof(RestVertex) == 32 && sizeof(Curvature) == 32);
-constexpr std::size_t kShellVertexBytes = 176;
 
 constexpr uint kFirstLayers = 32;  // where the skin is drawn once for each and none are asked for
 
@@ -129,7 +97,7 @@ void ShellPass::updateSkin(const Mirror& mirror, const Skin& atRest) {
     shown_ = mirror.shown();
     const std::vector<Curvature> curvatures = curvaturesOf(*shown_);
     curvatures_.upload(std::span<const Curvature>(curvatures));
-    vertices_.resize(curvatures.size() * kShellVertexBytes);
+    vertices_.resize(curvatures.size() * sizeof(ShellVertex));
     vertexRows_ = gl::makeTexture(vertices_, GL_RGBA32F);
     cornerRows_ = gl::makeTexture(mirror.corners(), GL_RGBA32UI);
     indexRows_ = gl::makeTexture(mirror.surface().indices, GL_R32UI);

@@ -8,6 +8,8 @@
 #include "app/render/base_colors.h"
 #include "app/render/frame_data.h"
 #include "app/render/mirror.h"
+#include "app/render/shell_data.h"
+#include "app/render/shell_pictures.h"
 #include "app/render/strand_pass.h"
 #include "tests/gl/gl_context.h"
 
@@ -254,6 +256,71 @@ TEST(Layout, UniformBlocksLieAsTheDriverReadsThem) {
                     FIELD(FrameData, coats),          FIELD(FrameData, textured),
                     FIELD(FrameData, adapts),         FIELD(FrameData, seconds),
                     FIELD(FrameData, tolerance),      FIELD(FrameData, sides)});
+}
+
+TEST(Layout, BuffersOfTheShellPassLieAsTheDriverReadsThem) {
+    const Program program = Program::compute("shell_curves.comp");
+    const struct {
+        const char *block, *array;
+        std::size_t size;
+        std::vector<Field> fields;
+    } blocks[] = {
+        {"ShellVertices",
+         "shellVertices",
+         sizeof(ShellVertex),
+         {FIELD(ShellVertex, position),    FIELD(ShellVertex, top),
+          FIELD(ShellVertex, normal),      FIELD(ShellVertex, density),
+          FIELD(ShellVertex, overA),       FIELD(ShellVertex, furLength),
+          FIELD(ShellVertex, overB),       FIELD(ShellVertex, bendXX),
+          FIELD(ShellVertex, underA),      FIELD(ShellVertex, bendXY),
+          FIELD(ShellVertex, underB),      FIELD(ShellVertex, bendXZ),
+          FIELD(ShellVertex, overAcross),  FIELD(ShellVertex, bendYY),
+          FIELD(ShellVertex, underAcross), FIELD(ShellVertex, bendYZ),
+          FIELD(ShellVertex, place),       FIELD(ShellVertex, bendZZ),
+          FIELD(ShellVertex, tint),        FIELD(ShellVertex, pad0),
+          FIELD(ShellVertex, turn)}},
+        {"ShellCorners",
+         "shellCorners",
+         sizeof(ShellCorner),
+         {FIELD(ShellCorner, outer), FIELD(ShellCorner, top), FIELD(ShellCorner, position),
+          FIELD(ShellCorner, pad0), FIELD(ShellCorner, normal), FIELD(ShellCorner, pad1)}},
+        {"RestVertices",
+         "restVertices",
+         sizeof(RestVertex),
+         {FIELD(RestVertex, position), FIELD(RestVertex, pad0), FIELD(RestVertex, turn)}},
+        {"Curvatures",
+         "curvatures",
+         sizeof(Curvature),
+         {FIELD(Curvature, xx), FIELD(Curvature, xy), FIELD(Curvature, xz), FIELD(Curvature, yy),
+          FIELD(Curvature, yz), FIELD(Curvature, zz), FIELD(Curvature, pad0),
+          FIELD(Curvature, pad1)}},
+    };
+    for (const auto& b : blocks) expectElements(program.name(), b.block, b.array, b.size, b.fields);
+    // Marching reads the rows of a vertex as texels.
+    EXPECT_EQ(sizeof(ShellVertex), 11 * sizeof(vec4));
+
+    expectUniforms(program.name(), "ShellBlock", "", sizeof(ShellData),
+                   {Field{"shellOver.period", offsetof(ShellData, over.period)},
+                    Field{"shellOver.width", offsetof(ShellData, over.width)},
+                    Field{"shellOver.taper", offsetof(ShellData, over.taper)},
+                    Field{"shellOver.stray", offsetof(ShellData, over.stray)},
+                    Field{"shellUnder.period", offsetof(ShellData, under.period)},
+                    Field{"shellUnder.width", offsetof(ShellData, under.width)},
+                    Field{"shellUnder.taper", offsetof(ShellData, under.taper)},
+                    Field{"shellUnder.stray", offsetof(ShellData, under.stray)},
+                    Field{"shellLayers", offsetof(ShellData, layers)},
+                    Field{"leastWidth", offsetof(ShellData, leastWidth)},
+                    Field{"shellCoats", offsetof(ShellData, coats)},
+                    Field{"shellPad0", offsetof(ShellData, pad0)}});
+    const Program map = Program::draw("shell_layer.vert", "shell_map.frag", {"MAP"});
+    expectUniforms(map.name(), "ShellMapBlock", "", sizeof(ShellMapData),
+                   {Field{"mapTones", offsetof(ShellMapData, tones)},
+                    Field{"mapSide", offsetof(ShellMapData, side)},
+                    Field{"mapPhoto", offsetof(ShellMapData, photo)},
+                    Field{"mapLayers", offsetof(ShellMapData, layers)},
+                    Field{"mapPad0", offsetof(ShellMapData, pad0)},
+                    Field{"mapCoverage", offsetof(ShellMapData, coverage)},
+                    Field{"mapTaper", offsetof(ShellMapData, taper)}});
 }
 
 }  // namespace
