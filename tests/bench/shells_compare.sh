@@ -40,5 +40,8 @@ for name, ms in rows:
     print(f"{name:<20} {ms:>8.1f}   {ms / one:>5.1f} x")
 print(f"three.js on {three['renderer']}, {three['covered']:.0%} of the picture covered")
 compared = of("compare")
-print(f"shells against shells-instanced: FLIP {compared['flip']:.4f}")
+print(
+    f"shells against shells-instanced: FLIP {compared['flipMean']:.4f}, "
+    f"brightness {compared['luminanceBias']:+.1%}"
+)
 PYTHON
