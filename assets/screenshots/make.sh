@@ -45,6 +45,30 @@ done
 montage ${font:+-font "$font"} -label '%t' "${files[@]}" -tile 5x -geometry 240x200+2+2 \
     -background white -quality 85 presets.jpg
 
+# The same fur as strands and in shells: close, as framed, and far.
+tiles=()
+pair() {
+    local name=$1 framed technique factor
+    shift
+    framed=$("$program" render --size 32x32 --repeat 1 -o "$sheet/framed.png" --json "$@" |
+        grep -o '"distance":[0-9.]*' | cut -d: -f2)
+    for factor in 0.45 1 2.5; do
+        for technique in strands shells; do
+            "$program" render --size 300x300 --samples 32 --repeat 1 --yaw 50 --pitch 12 \
+                --distance "$(awk "BEGIN { print $framed * $factor }")" --over "$technique" \
+                --under "$technique" -o "$sheet/$name-$factor-$technique.png" "$@" >"$sheet/log"
+            tiles+=(-label "$technique" "$sheet/$name-$factor-$technique.png")
+        done
+    done
+}
+if [ -f "$meshes/stanford-bunny.obj" ] && [ -f "$meshes/Fox.glb" ]; then
+    pair animal --animal 100000
+    pair bunny -- "$meshes/stanford-bunny.obj"
+    pair fox -- "$meshes/Fox.glb"
+    montage ${font:+-font "$font"} "${tiles[@]}" -tile 6x -geometry 200x200+2+2 \
+        -background white -quality 88 shells.jpg
+fi
+
 # The real window, on a display of its own.
 export XDG_STATE_HOME=$(mktemp -d) XDG_CONFIG_HOME=$(mktemp -d)
 trap 'rm -rf "$sheet" "$XDG_STATE_HOME" "$XDG_CONFIG_HOME"' EXIT
