@@ -17,12 +17,11 @@ vec3 litHair(Hit hit, Coat coat, vec3 base, float depth, Ground g) {
     s.weightless = hit.over ? g.overA : g.underA;
     s.end = hit.over ? g.overB : g.underB;
     s.binormal = safeUnit(hit.over ? g.overAcross : g.underAcross, anyTangent(n));
-    float twist = 3.1415927 * within(coat.normalRandomness, 0.0, 1.0) *
-                  (2.0 * rand01(id + kDrawTwist) - 1.0);
+    float twist = twistOf(coat, id);
     s.cosTwist = cos(twist);
     s.sinTwist = sin(twist);
     s.normal = n;
-    s.tone = 1.0 + within(coat.colorNoise, 0.0, 1.0) * (2.0 * rand01(id + kDrawTone) - 1.0);
+    s.tone = toneOf(coat, id);
     s.style = coat.style;
     s.clump = 0.0;
     s.curl = 0.0;

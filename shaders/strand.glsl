@@ -120,6 +120,17 @@ float fadedWidth(float rank, float lod, float fade) {
 
 bool isOvercoat(uint id, float share) { return rand01(id + kDrawCoat) < share; }
 
+// Angle by which the shading normal of a hair is turned about it.
+float twistOf(Coat coat, uint id) {
+    return 3.1415927f * within(coat.normalRandomness, 0.0f, 1.0f) *
+           (2.0f * rand01(id + kDrawTwist) - 1.0f);
+}
+
+// How much lighter or darker than its coat a hair is.
+float toneOf(Coat coat, uint id) {
+    return 1.0f + within(coat.colorNoise, 0.0f, 1.0f) * (2.0f * rand01(id + kDrawTone) - 1.0f);
+}
+
 // The direction along the skin of unit normal n in which the hair is combed; any where it is not.
 vec3 combedTangent(vec3 painted, vec3 n) {
     vec3 tangent = painted - dot(painted, n) * n;
@@ -190,12 +201,11 @@ Strand bendStrand(vec3 root, vec3 n, vec3 painted, float spineLength, Coat coat,
     s.origin = root;
     s.spineLength = spineLength;
     s.weightless = w;
-    float twist = 3.1415927f * within(coat.normalRandomness, 0.0f, 1.0f) *
-                  (2.0f * rand01(id + kDrawTwist) - 1.0f);
+    float twist = twistOf(coat, id);
     s.cosTwist = cos(twist);
     s.sinTwist = sin(twist);
     s.normal = n;
-    s.tone = 1.0f + within(coat.colorNoise, 0.0f, 1.0f) * (2.0f * rand01(id + kDrawTone) - 1.0f);
+    s.tone = toneOf(coat, id);
     s.width = 0.0f;
     s.coat = 0u;
     s.keep = 0.0f;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -60,21 +61,19 @@ ShellPass::ShellPass()
       rodCurves_(Program::compute("shell_curves.comp", {"RODS"})),
       over_(Program::draw("shell_over.vert", "shell_over.frag")),
       skin_(Program::draw("shell_over.vert", "shell_over.frag", {"SKIN"})),
-      layer_(Program::draw("shell_layer.vert", "shell_layer.frag")),
       show_(Program::draw("screen.vert", "shell_show.frag")),
       seenOut_(Program::draw("screen.vert", "shell_seen.frag")),
-      sweptMarch_(Program::draw("screen.vert", "shell.frag")),
-      sweptFromSkin_(Program::draw("screen.vert", "shell.frag", {"SKIN"})),
-      plainMarch_(Program::draw("screen.vert", "shell.frag", {"PLAIN"})),
-      plainFromSkin_(Program::draw("screen.vert", "shell.frag", {"PLAIN", "SKIN"})),
       layerArray_(cornerArray()),
       surfaceArray_(gl::makeVertexArray()) {
     const GLuint name = surfaceArray_.name();
     for (const GLuint attribute : {0u, 1u, 2u}) {
         glEnableVertexArrayAttrib(name, attribute);
-        glVertexArrayAttribBinding(name, attribute, 0);
+        // The place is that of one surface or the other.
+        glVertexArrayAttribBinding(name, attribute, attribute == 0 ? 0 : 1);
     }
-
+    glVertexArrayAttribFormat(name, 0, 3, GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayAttribFormat(name, 1, 1, GL_FLOAT, GL_FALSE, offsetof(ShellCorner, top));
+    glVertexArrayAttribFormat(name, 2, 3, GL_FLOAT, GL_FALSE, offsetof(ShellCorner, normal));
     rodTable_.upload(std::span(rodTable(), kRodNodes * kRodNodes * kRodTexels));
     makeTile();
 }
@@ -92,21 +91,28 @@ void ShellPass::makeTile() {
     tileRows_ = gl::makeTexture(tile_, GL_RG32UI);
 }
 
-void ShellPass::updateSkin(const Mirror& mirror, const Skin& atRest) {
+// What is the same in every pose.
+void ShellPass::updateTriangles(const Mirror& mirror, const std::shared_ptr<const Skin>& atRest) {
+    if (atRest == atRest_) return;
+    atRest_ = atRest;
+    const std::size_t count = atRest->vertices.size();
+    vertices_.resize(count * sizeof(ShellVertex));
+    corners_.resize(count * sizeof(ShellCorner));
+    vertexRows_ = gl::makeTexture(vertices_, GL_RGBA32F);
+    cornerRows_ = gl::makeTexture(mirror.corners(), GL_RGBA32UI);
+    indexRows_ = gl::makeTexture(mirror.surface().indices, GL_R32UI);
+    std::vector<uvec3> triangles;
+    for (const uint t : mirror.surface().patches.order) triangles.push_back(atRest->triangles[t]);
+    indices_.upload(std::span<const uvec3>(triangles));
+}
+
+void ShellPass::updateSkin(const Mirror& mirror) {
     if (mirror.shown() == shown_) return;
     shown_ = mirror.shown();
     const std::vector<Curvature> curvatures = curvaturesOf(*shown_);
     curvatures_.upload(std::span<const Curvature>(curvatures));
-    vertices_.resize(curvatures.size() * sizeof(ShellVertex));
-    vertexRows_ = gl::makeTexture(vertices_, GL_RGBA32F);
-    cornerRows_ = gl::makeTexture(mirror.corners(), GL_RGBA32UI);
-    indexRows_ = gl::makeTexture(mirror.surface().indices, GL_R32UI);
-    corners_.resize(curvatures.size() * sizeof(ShellCorner));
-    std::vector<uvec3> triangles;
-    for (const uint t : mirror.surface().patches.order) triangles.push_back(shown_->triangles[t]);
-    indices_.upload(std::span<const uvec3>(triangles));
     std::vector<RestVertex> rest(curvatures.size());
-    for (uint v = 0; v < rest.size(); ++v) rest[v] = restOf(*shown_, atRest, v);
+    for (uint v = 0; v < rest.size(); ++v) rest[v] = restOf(*shown_, *atRest_, v);
     rest_.upload(std::span<const RestVertex>(rest));
 }
 
@@ -156,10 +162,9 @@ void ShellPass::find(const Mirror& mirror, const Program& program, std::size_t o
     const GLuint array = surfaceArray_.name();
     glBindVertexArray(array);
     glVertexArrayElementBuffer(array, indices_.name());
-    glVertexArrayVertexBuffer(array, 0, corners_.name(), 0, sizeof(ShellCorner));
-    glVertexArrayAttribFormat(array, 0, 3, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
-    glVertexArrayAttribFormat(array, 1, 1, GL_FLOAT, GL_FALSE, offsetof(ShellCorner, top));
-    glVertexArrayAttribFormat(array, 2, 3, GL_FLOAT, GL_FALSE, offsetof(ShellCorner, normal));
+    glVertexArrayVertexBuffer(array, 0, corners_.name(), static_cast<GLintptr>(offset),
+                              sizeof(ShellCorner));
+    glVertexArrayVertexBuffer(array, 1, corners_.name(), 0, sizeof(ShellCorner));
     program.use();
     glEnable(GL_DEPTH_TEST);
     if (mirror.skin().outward) glEnable(GL_CULL_FACE);
@@ -206,6 +211,14 @@ void ShellPass::march(const Program& program, const Peel& peel, const Canvas& ca
 void ShellPass::drawMarched(const Mirror& mirror, const Canvas& canvas, bool plain) {
     constexpr std::size_t kMostPeels = 4;
     resize(canvas.size);
+    std::optional<March>& made = plain ? plain_ : swept_;
+    if (!made) {
+        std::vector<std::string> defines;
+        if (plain) defines.emplace_back("PLAIN");
+        Program fromOver = Program::draw("screen.vert", "shell.frag", defines);
+        defines.emplace_back("SKIN");
+        made = March{std::move(fromOver), Program::draw("screen.vert", "shell.frag", defines)};
+    }
     const uint none = 0;
     const float nearest = 0.0f;
     glClearTexImage(seen_.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
@@ -224,11 +237,11 @@ void ShellPass::drawMarched(const Mirror& mirror, const Canvas& canvas, bool pla
         glEndQuery(GL_ANY_SAMPLES_PASSED);
         if (i > 0) glEndConditionalRender();
         glBeginConditionalRender(query, GL_QUERY_WAIT);
-        march(plain ? plainMarch_ : sweptMarch_, peel, canvas);
+        march(made->fromOver, peel, canvas);
         glEndConditionalRender();
     }
     leaveOutSeen();
-    march(plain ? plainFromSkin_ : sweptFromSkin_, visible_, canvas);
+    march(made->fromSkin, visible_, canvas);
 }
 
 void ShellPass::leaveOutSeen() const {
@@ -269,11 +282,13 @@ void ShellPass::drawMap(const Mirror& mirror, const ShellSource& source, uint co
 
 void ShellPass::drawLayers(const Mirror& mirror, uint coats) {
     if (layers_ == 0) layers_ = kFirstLayers;
+    if (!layer_) layer_ = Program::draw("shell_layer.vert", "shell_layer.frag");
     for (uint coat = 0; coat < 2; ++coat) {
         if (!(coats >> coat & 1u)) continue;
-        glProgramUniform1ui(layer_.name(), 3, coat);
+        glProgramUniform1ui(layer_->name(), 3, coat);
         for (uint k = 0; k < layers_; ++k)
-            drawLayer(mirror, layer_, (static_cast<float>(k) + 0.5f) / static_cast<float>(layers_));
+            drawLayer(mirror, *layer_,
+                      (static_cast<float>(k) + 0.5f) / static_cast<float>(layers_));
     }
 }
 
@@ -293,7 +308,8 @@ void ShellPass::draw(const Mirror& mirror, const Document& document, const View&
     if (!(frame.hairsPerArea > 0.0f) || data.coats == 0) return;
     block_.upload(std::span<const ShellData>(&data, 1));
 
-    updateSkin(mirror, *document.skin);
+    updateTriangles(mirror, document.skin);
+    updateSkin(mirror);
     mirror.bind();
     frameBlock.bindUniform(binding::frame);
     block_.bindUniform(binding::shells);

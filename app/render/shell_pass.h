@@ -32,7 +32,8 @@ public:
 private:
     void makeTile();
     void findCurves(const Mirror& mirror, const Document& document, uint coats, float seconds);
-    void updateSkin(const Mirror& mirror, const Skin& atRest);
+    void updateTriangles(const Mirror& mirror, const std::shared_ptr<const Skin>& atRest);
+    void updateSkin(const Mirror& mirror);
     struct CurveKey {  // what the mean hair depends on
         std::shared_ptr<const Skin> shown;
         Groom groom;
@@ -56,9 +57,12 @@ private:
     void drawLayer(const Mirror& mirror, const Program& program, float t) const;
     void drawLayers(const Mirror& mirror, uint coats);
 
-    Program curves_, rodCurves_, over_, skin_, layer_, show_, seenOut_;
-    std::optional<Program> map_;  // made when it is first needed
-    Program sweptMarch_, sweptFromSkin_, plainMarch_, plainFromSkin_;
+    struct March {
+        Program fromOver, fromSkin;
+    };
+    Program curves_, rodCurves_, over_, skin_, show_, seenOut_;
+    std::optional<Program> layer_, map_;  // made when they are first needed, as is a march
+    std::optional<March> swept_, plain_;
     gl::VertexArray layerArray_, surfaceArray_;
     gl::Buffer tile_, block_, mapBlock_, vertices_, corners_, indices_, rest_, curvatures_,
         rodTable_;
@@ -71,7 +75,8 @@ private:
     uint layers_ = 0;
     std::size_t textureBytes_ = 0;
     std::optional<CurveKey> curvesOf_;
-    std::shared_ptr<const Skin> shown_;  // whose curvatures are known
+    std::shared_ptr<const Skin> atRest_;  // whose triangles are known
+    std::shared_ptr<const Skin> shown_;   // whose curvatures are
 };
 
 }  // namespace pelage
