@@ -18,9 +18,10 @@
 #include "shell_shade.glsl"
 
 layout(binding = 4) uniform usamplerBuffer cornerRows;  // a Corner each
-layout(binding = 5) uniform usamplerBuffer indices;     // of corners, by triangle
+layout(binding = 5) uniform usamplerBuffer indices;     // of corners, by triangle of what was found
 layout(binding = 2) uniform usampler2D found;  // shell_over.frag
 layout(binding = 7) uniform usampler2D skinFound;  // the same of the skin, with SKIN
+layout(binding = 8) uniform usamplerBuffer skinIndices;
 layout(early_fragment_tests) in;
 layout(location = 0) out vec4 color;   // alpha 1 = hair, 0.5 = none
 layout(location = 1) out float depth;  // in the window
@@ -71,12 +72,12 @@ struct Hair {
     float zb;
 };
 
-Hair hairOf(vec3 a, vec3 b, vec3 n) {
+Hair hairOf(Curve c, vec3 n) {
     Hair h;
-    h.za = dot(a, n);
-    h.zb = dot(b, n);
-    h.a = a - h.za * n;
-    h.b = b - h.zb * n;
+    h.za = dot(c.a, n);
+    h.zb = dot(c.b, n);
+    h.a = c.a - h.za * n;
+    h.b = c.b - h.zb * n;
     return h;
 }
 
@@ -209,15 +210,16 @@ struct Face {  // a triangle of the source
     uint material;
 };
 
-Corner cornerAt(int index) {
-    uvec4 row = texelFetch(cornerRows, int(texelFetch(indices, index).r));
+Corner cornerOf(uint number) {
+    uvec4 row = texelFetch(cornerRows, int(number));
     return Corner(uintBitsToFloat(row.xy), row.z, row.w);
 }
 
 // As shell_over.frag found it.
-Face faceOf(uvec2 number) {
+Face faceOf(usamplerBuffer surface, uvec2 number) {
     int corner = 3 * int(number.x - 1u);
-    return Face(cornerAt(corner), cornerAt(corner + 1), cornerAt(corner + 2), number.y);
+    return Face(cornerOf(texelFetch(surface, corner).r), cornerOf(texelFetch(surface, corner + 1).r),
+                cornerOf(texelFetch(surface, corner + 2).r), number.y);
 }
 
 vec3 bareColor(Face f, vec3 share) {
@@ -244,7 +246,7 @@ void colorAtRoot(inout Ground g, Hit hit) {
     if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, frame.size))) return;
     uvec2 number = texelFetch(skinFound, pixel, 0).xy;
     if (number.x == 0u) return;
-    Face f = faceOf(number);
+    Face f = faceOf(skinIndices, number);
     ShellVertex a = shellVertex(f.p.skinVertex);
     ShellVertex b = shellVertex(f.q.skinVertex);
     ShellVertex c = shellVertex(f.r.skinVertex);
@@ -256,7 +258,7 @@ void colorAtRoot(inout Ground g, Hit hit) {
 }
 
 void main() {
-    Ground g = groundBelow(faceOf(texelFetch(found, ivec2(gl_FragCoord.xy), 0).xy));
+    Ground g = groundBelow(faceOf(indices, texelFetch(found, ivec2(gl_FragCoord.xy), 0).xy));
     Ray ray;
     ray.top = g.top;
     ray.cosine = dot(g.normal, g.eye);
@@ -284,8 +286,9 @@ void main() {
     hit.way = 1e30;
     for (uint c = 0u; c < 2u; ++c) {
         if ((shellCoats >> c & 1u) == 0u) continue;
-        Hair hair = hairOf(g.underA, g.underB, g.normal);
-        if (c == 0u) hair = hairOf(g.overA, g.overB, g.normal);
+        Curve curve = overBent(Curve(g.underA, g.underB), g.normal, g.bendUnder);
+        if (c == 0u) curve = overBent(Curve(g.overA, g.overB), g.normal, g.bendOver);
+        Hair hair = hairOf(curve, g.normal);
         ShellCoat coat = shellUnder;
         if (c == 0u) coat = shellOver;
         hit = march(ray, below, hair, coat, c, g, ahead, coat.width * pixelsPerMetre, hit);

@@ -44,6 +44,31 @@ vec3 turned(vec3 v, vec4 q) {
 }
 vec3 turnedBack(vec3 v, vec4 q) { return turned(v, vec4(-q.xyz, q.w)); }
 
+struct Curve {  // of a hair from its root, m: t(1-t) a + t^2 b
+    vec3 a, b;
+};
+
+// Where a point over a flat skin is over one that bends away below it, 1/m: so far along the skin
+// and so high over it.
+vec3 overBent(vec3 p, vec3 n, float bend) {
+    float z = dot(p, n);
+    vec3 along = p - z * n;
+    float square = dot(along, along);
+    float u = 1.0 + bend * z;
+    float x = bend * bend * square / (u * u);
+    float height = (z * (1.0 + u) + bend * square) / (sqrt(u * u + bend * bend * square) + 1.0);
+    return along / (u * (1.0 + 0.28 * x)) + height * n;  // atan(x) = x / (1 + 0.28 x^2)
+}
+
+// The same of a hair, through its middle and its tip: straight hair leaves a skin that bends away.
+// Where the skin folds over itself within the hair's length that is no longer so.
+Curve overBent(Curve hair, vec3 n, float bend) {
+    float most = 1.0 / max(length(hair.b), 1e-20);
+    bend = clamp(bend, -0.5 * most, 8.0 * most);
+    vec3 tip = overBent(hair.b, n, bend);
+    return Curve(4.0 * overBent(0.25 * (hair.a + hair.b), n, bend) - tip, tip);
+}
+
 struct ShellCoat {    // of one coat
     float period;     // m, side of the tile of roots
     float width;      // m, of a hair at its root

@@ -29,6 +29,8 @@ struct Ground {     // in the space of the skin at rest, unless world is said
     float top;
     float bend;     // 1/m, curvature of the skin in the direction of the view
     float bendAcross;  // and across it
+    float bendOver;    // where the overcoat's hair goes
+    float bendUnder;
     float skyward;  // how far the skin looks up in the world
     float density;
     float furLength;
@@ -43,6 +45,12 @@ vec3 outerOf(ShellVertex v) {
 #else
     return v.position + v.top * turnedBack(v.normal, v.turn);
 #endif
+}
+
+// Of the skin in the world along a vector at rest.
+float bendAlong(mat3 bends, vec3 v, Ground g) {
+    vec3 t = turnedBack(safeUnit(v - dot(v, g.normal) * g.normal, vec3(0.0)), g.turn);
+    return dot(t, bends * t);
 }
 
 // Between three vertices.
@@ -73,6 +81,8 @@ Ground groundOf(ShellVertex a, ShellVertex b, ShellVertex c, vec3 share, vec3 ba
                       mixedBends.yz, MIXED(bendZZ));
     g.bend = dot(t, bends * t);
     g.bendAcross = dot(side, bends * side);
+    g.bendOver = bendAlong(bends, g.overB, g);
+    g.bendUnder = bendAlong(bends, g.underB, g);
     g.density = MIXED(density);
     g.furLength = MIXED(furLength);
     g.tint = MIXED(tint);

@@ -44,7 +44,7 @@ enum Storage : unsigned {
     keys = 8,
     shellVertices = 8,  // never with keys
     runs = 9,
-    curvatures = 9,  // never with runs
+    bends = 9,  // never with runs
     counters = 10,
     restVertices = 10,  // never with counters
     lines = 11,
@@ -55,7 +55,21 @@ enum Storage : unsigned {
     strips = 14,
     rodTable = 15
 };
-enum Texture : unsigned { baseColors = 0, skinDepth = 1, shellPicture = 2 };
+enum Texture : unsigned {
+    baseColors = 0,
+    skinDepth = 1,
+    shellPicture = 2,  // the next ones never with it, and one at a time
+    peeled = 2,
+    found = 2,
+    hairColor = 2,
+    shellRows = 3,
+    cornerRows = 4,
+    foundIndices = 5,
+    shellTile = 6,
+    skinFound = 7,
+    skinIndices = 8,
+    hairDepth = 8  // never with skinIndices
+};
 }  // namespace binding
 
 }  // namespace pelage

@@ -213,7 +213,14 @@ void Mirror::keep(int level, SkinLevel made) {
 }
 
 const Mirror::Surface& Mirror::surface(const Sight& sight, float deviation, bool waits) {
-    const int wanted = shown_ == skin_ ? levelWithin(*skin_, sight, deviation) : kNoLevel;
+    return surfaceOf(shown_ == skin_ ? levelWithin(*skin_, sight, deviation) : kNoLevel, waits);
+}
+
+const Mirror::Surface& Mirror::surfaceWithin(float error, bool waits) {
+    return surfaceOf(levelWithin(*skin_, error), waits);
+}
+
+const Mirror::Surface& Mirror::surfaceOf(int wanted, bool waits) {
     if (wanted == kNoLevel) return fine_;
     if (making_ && (making_->ready() || (waits && making_->level() == wanted))) {
         const auto made = std::exchange(making_, nullptr);
@@ -229,6 +236,14 @@ float Mirror::longestHair() const {
     float longest = 0.0f;
     for (const float ofChunk : longestOfChunk_) longest = std::max(longest, ofChunk);
     return longest;
+}
+
+float Mirror::usualHair() const {
+    std::vector<float> lengths = longestOfChunk_;
+    if (lengths.empty()) return 0.0f;
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::ranges::nth_element(lengths, middle);
+    return *middle;
 }
 
 std::size_t Mirror::bytes() const {

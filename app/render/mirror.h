@@ -49,19 +49,22 @@ public:
     // beside the caller, who has a finer surface until then, or at once where he `waits`. There
     // are none in other poses than that at rest, and none of a skin that is no longer there.
     const Surface& surface(const Sight& sight, float deviation, bool waits);
+    // In any pose: one that misses the skin at rest by at most `error` m, its patches those at rest.
+    const Surface& surfaceWithin(float error, bool waits);
     const gl::Buffer& corners() const { return corners_; }
     // As it stands.
     const Skin& skin() const { return *shown_; }
     const std::shared_ptr<const Skin>& shown() const { return shown_; }
     bool textured() const { return textured_; }
-    // m, of all vertices
-    float longestHair() const;
+    float longestHair() const;  // m, of all vertices
+    float usualHair() const;    // m, the median of the longest ones here and there
     std::size_t chunksUploaded() const { return chunksUploaded_; }  // by the last update
     std::size_t bytes() const;
 
 private:
     void uploadSkin(const Skin& skin);
     void keep(int level, SkinLevel made);
+    const Surface& surfaceOf(int level, bool waits);
     void uploadGroom(const Groom& groom, bool newSkin, bool newPose);
     void findChunks();
     void updateTufts(const std::vector<bool>& newChunks);

@@ -133,10 +133,11 @@ struct Renderer::Parts {
         samples = 0;
     }
 
-    void drawSkin(const Canvas& canvas, const FrameData& frame, const View& view, float deviation);
+    void drawSkin(const Canvas& canvas, const FrameData& frame, const View& view,
+                  const Mirror::Surface& surface);
     Choice choice(const View& view, const FrameData& frame, const Pelt& pelt, const InSight& seen);
     double drawShells(const Document& document, const View& view, FrameData frame, uint coats,
-                      Canvas& canvas);
+                      const Mirror::Surface& skin, Canvas& canvas);
     // What `choose` takes of what is seen, drawn into a canvas.
     template <typename Choose>
     Sample draw(const Document& document, const View& view, Coats coats, Canvas& canvas, int sample,
@@ -151,7 +152,7 @@ struct Renderer::Parts {
 
 // Edges of the skin may be off by so many pixels of the canvas.
 void Renderer::Parts::drawSkin(const Canvas& canvas, const FrameData& frame, const View& view,
-                               float deviation) {
+                               const Mirror::Surface& surface) {
     frameBlock.upload(std::span<const FrameData>(&frame, 1));
     mirror.bind();
     frameBlock.bindUniform(binding::frame);
@@ -163,8 +164,6 @@ void Renderer::Parts::drawSkin(const Canvas& canvas, const FrameData& frame, con
     const vec4 background = behindOf(view);
     glClearBufferfv(GL_COLOR, 0, &background.x);
     glClearBufferfv(GL_DEPTH, 0, &one);
-    const Mirror::Surface& surface =
-        deviation > 0.0f ? mirror.surface(sightOf(frame), deviation, view.waits) : mirror.surface();
     std::vector<Range> ranges;
     if (view.showSkin)
         ranges = view.culls ? inView(surface.patches, sightOf(frame)) : allOf(surface.patches);
@@ -199,13 +198,13 @@ Choice Renderer::Parts::choice(const View& view, const FrameData& frame, const P
 // Fur in layers, before the skin in the bound framebuffer. Waits for the GPU; answers how long it
 // took, s.
 double Renderer::Parts::drawShells(const Document& document, const View& view, FrameData frame,
-                                   uint coats, Canvas& canvas) {
+                                   uint coats, const Mirror::Surface& skin, Canvas& canvas) {
     canvas.keepSkinDepth();
     glFinish();
     const auto start = Clock::now();
     if (!shellPass) shellPass.emplace();
     frame.coats = coats;
-    shellPass->draw(mirror, document, view, frame, frameBlock, canvas);
+    shellPass->draw(mirror, skin, document, view, frame, frameBlock, canvas);
     glFinish();
     return secondsSince(start);
 }
@@ -221,9 +220,13 @@ Sample Renderer::Parts::draw(const Document& document, const View& view, Coats c
                       mirror.longestHair());
     };
     Sample drawn{.coats = coats, .box = boxOf(sightOf(frame), peltFor(frame.coats), mirror)};
-    drawSkin(canvas, frame, view, coats.shells ? 0.0f : skinDeviation);
+    const Mirror::Surface& skin = skinDeviation > 0.0f
+                                      ? mirror.surface(sightOf(frame), skinDeviation, view.waits)
+                                      : mirror.surface();
+    drawSkin(canvas, frame, view, skin);
     canvas.furry = false;
-    if (coats.shells) drawn.shellSeconds = drawShells(document, view, frame, coats.shells, canvas);
+    if (coats.shells)
+        drawn.shellSeconds = drawShells(document, view, frame, coats.shells, skin, canvas);
     if (!coats.strands) return drawn;
     const Pelt pelt = peltFor(coats.strands);
     const SkinDepth depth =

@@ -38,6 +38,12 @@ struct ShellCorner {
     uint pad1;
 };
 
+struct Bend {
+    vec3 normal;
+    float pad0;
+    Curvature curvature;
+};
+
 struct RestVertex {
     vec3 position{0.0f};
     uint pad0 = 0;
@@ -55,6 +61,6 @@ struct ShellData {
     uint coats = 3;
     uint pad0 = 0;
 };
-static_assert(sizeof(ShellData) == 48 && sizeof(Curvature) == 32);
+static_assert(sizeof(ShellData) == 48 && sizeof(Bend) == 48);
 
 }  // namespace pelage

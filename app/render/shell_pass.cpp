@@ -4,17 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/quaternion.hpp>
+#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "app/render/shell_data.h"
 #include "app/render/surface.h"
-#include "core/curvature.h"
-#include "core/elastica.h"
 #include "core/shell_map.h"
-#include "core/strand.h"
 
 namespace pelage {
 namespace {
@@ -35,46 +31,14 @@ float periodOf(float perArea) {
     return std::sqrt(static_cast<float>(kTileHairs) / std::max(kTileExcess * perArea, 1e-12f));
 }
 
-// Tangent, normal and binormal of a vertex, the tangent towards the first of its ring.
-mat3 axesAt(const Skin& skin, uint v) {
-    const vec3 n = safeUnit(skin.vertices[v].normal, vec3(0.0f, 1.0f, 0.0f));
-    vec3 along = anyTangent(n);
-    if (!skin.ring(v).empty())
-        along = skin.vertices[skin.ring(v)[0]].position - skin.vertices[v].position;
-    const vec3 t = safeUnit(along - glm::dot(along, n) * n, anyTangent(n));
-    return {t, n, glm::cross(t, n)};
-}
-
-RestVertex restOf(const Skin& shown, const Skin& atRest, uint v) {
-    RestVertex rest;
-    rest.position = atRest.vertices[v].position;
-    if (&shown == &atRest) return rest;
-    const glm::quat turn = glm::quat_cast(axesAt(atRest, v) * glm::transpose(axesAt(shown, v)));
-    rest.turn = vec4(turn.x, turn.y, turn.z, turn.w);
-    return rest;
-}
-
 }  // namespace
 
 ShellPass::ShellPass()
-    : curves_(Program::compute("shell_curves.comp")),
-      rodCurves_(Program::compute("shell_curves.comp", {"RODS"})),
-      over_(Program::draw("shell_over.vert", "shell_over.frag")),
+    : over_(Program::draw("shell_over.vert", "shell_over.frag")),
       skin_(Program::draw("shell_over.vert", "shell_over.frag", {"SKIN"})),
       show_(Program::draw("screen.vert", "shell_show.frag")),
       seenOut_(Program::draw("screen.vert", "shell_seen.frag")),
-      layerArray_(cornerArray()),
-      surfaceArray_(gl::makeVertexArray()) {
-    const GLuint name = surfaceArray_.name();
-    for (const GLuint attribute : {0u, 1u, 2u}) {
-        glEnableVertexArrayAttrib(name, attribute);
-        // The place is that of one surface or the other.
-        glVertexArrayAttribBinding(name, attribute, attribute == 0 ? 0 : 1);
-    }
-    glVertexArrayAttribFormat(name, 0, 3, GL_FLOAT, GL_FALSE, 0);
-    glVertexArrayAttribFormat(name, 1, 1, GL_FLOAT, GL_FALSE, offsetof(ShellCorner, top));
-    glVertexArrayAttribFormat(name, 2, 3, GL_FLOAT, GL_FALSE, offsetof(ShellCorner, normal));
-    rodTable_.upload(std::span(rodTable(), kRodNodes * kRodNodes * kRodTexels));
+      cornerArray_(cornerArray()) {
     makeTile();
 }
 
@@ -89,47 +53,6 @@ void ShellPass::makeTile() {
     }
     tile_.upload(std::span<const uvec2>(texels));
     tileRows_ = gl::makeTexture(tile_, GL_RG32UI);
-}
-
-// What is the same in every pose.
-void ShellPass::updateTriangles(const Mirror& mirror, const std::shared_ptr<const Skin>& atRest) {
-    if (atRest == atRest_) return;
-    atRest_ = atRest;
-    const std::size_t count = atRest->vertices.size();
-    vertices_.resize(count * sizeof(ShellVertex));
-    corners_.resize(count * sizeof(ShellCorner));
-    vertexRows_ = gl::makeTexture(vertices_, GL_RGBA32F);
-    cornerRows_ = gl::makeTexture(mirror.corners(), GL_RGBA32UI);
-    indexRows_ = gl::makeTexture(mirror.surface().indices, GL_R32UI);
-    std::vector<uvec3> triangles;
-    for (const uint t : mirror.surface().patches.order) triangles.push_back(atRest->triangles[t]);
-    indices_.upload(std::span<const uvec3>(triangles));
-}
-
-void ShellPass::updateSkin(const Mirror& mirror) {
-    if (mirror.shown() == shown_) return;
-    shown_ = mirror.shown();
-    const std::vector<Curvature> curvatures = curvaturesOf(*shown_);
-    curvatures_.upload(std::span<const Curvature>(curvatures));
-    std::vector<RestVertex> rest(curvatures.size());
-    for (uint v = 0; v < rest.size(); ++v) rest[v] = restOf(*shown_, *atRest_, v);
-    rest_.upload(std::span<const RestVertex>(rest));
-}
-
-void ShellPass::findCurves(const Mirror& mirror, const Document& document, uint coats,
-                           float seconds) {
-    const Fur& fur = document.fur;
-    CurveKey key{mirror.shown(), document.groom, fur, coats, fur.wind > 0.0f ? seconds : 0.0f};
-    if (curvesOf_ == key) return;
-    curvesOf_ = std::move(key);
-    const bool rods = fur.over.droop == kDroopElastica || fur.under.droop == kDroopElastica;
-    (rods ? rodCurves_ : curves_).use();
-    rodTable_.bindStorage(binding::rodTable);
-    corners_.bindStorage(binding::shellCorners);
-    const auto groups = static_cast<uint>((mirror.skin().vertices.size() + 63) / 64);
-    if (groups > 0) glDispatchCompute(std::min(groups, 65535u), (groups + 65534u) / 65535u, 1);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT |
-                    GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 void ShellPass::resize(ivec2 size) {
@@ -151,40 +74,32 @@ void ShellPass::resize(ivec2 size) {
 }
 
 // Which triangle of a surface comes next behind each pixel, behind those of the other peel.
-void ShellPass::find(const Mirror& mirror, const Program& program, std::size_t offset,
+void ShellPass::find(const Mirror& mirror, const Program& program, const Mirror::Surface& surface,
                      const Peel& peel, const Peel& before) const {
     const uint none[4] = {};
     const float farthest = 1.0f;
     glClearNamedFramebufferuiv(peel.target.name(), GL_COLOR, 0, none);
     glClearNamedFramebufferfv(peel.target.name(), GL_DEPTH, 0, &farthest);
     glBindFramebuffer(GL_FRAMEBUFFER, peel.target.name());
-    glBindTextureUnit(2, before.depth.name());
-    const GLuint array = surfaceArray_.name();
-    glBindVertexArray(array);
-    glVertexArrayElementBuffer(array, indices_.name());
-    glVertexArrayVertexBuffer(array, 0, corners_.name(), static_cast<GLintptr>(offset),
-                              sizeof(ShellCorner));
-    glVertexArrayVertexBuffer(array, 1, corners_.name(), 0, sizeof(ShellCorner));
-    program.use();
-    glEnable(GL_DEPTH_TEST);
-    if (mirror.skin().outward) glEnable(GL_CULL_FACE);
-    for (const Mirror::Part& part : mirror.parts()) {
-        glUniform1ui(0, part.material);
-        glUniform1ui(2, part.firstTriangle);
-        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * part.triangleCount), GL_UNSIGNED_INT,
-                       reinterpret_cast<const void*>(3 * sizeof(uint) * part.firstTriangle));
+    glBindTextureUnit(binding::peeled, before.depth.name());
+    glBindTextureUnit(binding::shellRows, ground_.drawn().name());
+    for (const Range& range : allOf(surface.patches)) {
+        glProgramUniform1ui(program.name(), 2, range.first);
+        drawSurface(cornerArray_, mirror, surface, std::span(&range, 1), true,
+                    [&](const Mirror::Part&) -> const Program& { return program; });
     }
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_DEPTH_TEST);
+    glBindTextureUnit(binding::shellRows, ground_.vertices().name());
 }
 
 // Only the pixels behind which something was found.
-void ShellPass::march(const Program& program, const Peel& peel, const Canvas& canvas) const {
+void ShellPass::march(const Program& program, const Peel& peel, const gl::Texture& indices,
+                      const Canvas& canvas) const {
     const vec4 none(0.0f);
     glBindFramebuffer(GL_FRAMEBUFFER, peel.march.name());
     glClearBufferfv(GL_COLOR, 0, &none.x);
-    glBindTextureUnit(2, peel.found.name());
-    glBindTextureUnit(7, visible_.found.name());
+    glBindTextureUnit(binding::found, peel.found.name());
+    glBindTextureUnit(binding::skinFound, visible_.found.name());
+    glBindTextureUnit(binding::foundIndices, indices.name());
     program.use();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_NOTEQUAL);
@@ -196,8 +111,8 @@ void ShellPass::march(const Program& program, const Peel& peel, const Canvas& ca
     glDepthFunc(GL_LESS);
 
     glBindFramebuffer(GL_FRAMEBUFFER, canvas.target.name());
-    glBindTextureUnit(2, hairColor_.name());
-    glBindTextureUnit(8, hairDepth_.name());
+    glBindTextureUnit(binding::hairColor, hairColor_.name());
+    glBindTextureUnit(binding::hairDepth, hairDepth_.name());
     show_.use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDisable(GL_DEPTH_TEST);
@@ -208,7 +123,8 @@ void ShellPass::march(const Program& program, const Peel& peel, const Canvas& ca
 // the surface over the fur that is nearest, then below what comes next behind it, as long as
 // anything does. Then from the skin where that did not look for its fur: where the eye is in the
 // fur, and in hollows, whose outer surface lies in other parts of the body.
-void ShellPass::drawMarched(const Mirror& mirror, const Canvas& canvas, bool plain) {
+void ShellPass::drawMarched(const Mirror& mirror, const Mirror::Surface& skin,
+                            const Canvas& canvas, bool plain) {
     constexpr std::size_t kMostPeels = 4;
     resize(canvas.size);
     std::optional<March>& made = plain ? plain_ : swept_;
@@ -223,9 +139,11 @@ void ShellPass::drawMarched(const Mirror& mirror, const Canvas& canvas, bool pla
     const float nearest = 0.0f;
     glClearTexImage(seen_.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
     glBindImageTexture(0, seen_.name(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R8UI);
-    glBindTextureUnit(1, canvas.depth.name());
+    glBindTextureUnit(binding::skinDepth, canvas.depth.name());
+    const gl::Texture& skinIndices = ground_.indicesOf(skin);
+    glBindTextureUnit(binding::skinIndices, skinIndices.name());
     glClearNamedFramebufferfv(peels_[1].target.name(), GL_DEPTH, 0, &nearest);
-    find(mirror, skin_, offsetof(ShellCorner, position), visible_, peels_[1]);
+    find(mirror, skin_, skin, visible_, peels_[1]);
     // The driver looks whether anything was found, so that nothing waits for the answer.
     while (anyFound_.size() < kMostPeels) anyFound_.push_back(gl::makeQuery(GL_ANY_SAMPLES_PASSED));
     for (std::size_t i = 0; i < kMostPeels; ++i) {
@@ -233,15 +151,15 @@ void ShellPass::drawMarched(const Mirror& mirror, const Canvas& canvas, bool pla
         const GLuint query = anyFound_[i].name();
         if (i > 0) glBeginConditionalRender(anyFound_[i - 1].name(), GL_QUERY_WAIT);
         glBeginQuery(GL_ANY_SAMPLES_PASSED, query);
-        find(mirror, over_, offsetof(ShellCorner, outer), peel, peels_[(i + 1) % 2]);
+        find(mirror, over_, ground_.furSurface(), peel, peels_[(i + 1) % 2]);
         glEndQuery(GL_ANY_SAMPLES_PASSED);
         if (i > 0) glEndConditionalRender();
         glBeginConditionalRender(query, GL_QUERY_WAIT);
-        march(made->fromOver, peel, canvas);
+        march(made->fromOver, peel, ground_.furIndices(), canvas);
         glEndConditionalRender();
     }
     leaveOutSeen();
-    march(made->fromSkin, visible_, canvas);
+    march(made->fromSkin, visible_, skinIndices, canvas);
 }
 
 void ShellPass::leaveOutSeen() const {
@@ -258,7 +176,8 @@ void ShellPass::leaveOutSeen() const {
 
 void ShellPass::drawLayer(const Mirror& mirror, const Program& program, float t) const {
     glProgramUniform1f(program.name(), 2, t);
-    drawSurface(layerArray_, mirror, mirror.surface(), allOf(mirror.surface().patches), false,
+    const Mirror::Surface& surface = ground_.furSurface();
+    drawSurface(cornerArray_, mirror, surface, allOf(surface.patches), false,
                 [&](const Mirror::Part&) -> const Program& { return program; });
 }
 
@@ -292,8 +211,9 @@ void ShellPass::drawLayers(const Mirror& mirror, uint coats) {
     }
 }
 
-void ShellPass::draw(const Mirror& mirror, const Document& document, const View& view,
-                     const FrameData& frame, const gl::Buffer& frameBlock, const Canvas& canvas) {
+void ShellPass::draw(Mirror& mirror, const Mirror::Surface& skin, const Document& document,
+                     const View& view, const FrameData& frame, const gl::Buffer& frameBlock,
+                     const Canvas& canvas) {
     const Fur& fur = document.fur;
     ShellData data;
     data.over = {periodOf(fur.share * frame.hairsPerArea), frame.overWidth, fur.over.taper,
@@ -308,19 +228,13 @@ void ShellPass::draw(const Mirror& mirror, const Document& document, const View&
     if (!(frame.hairsPerArea > 0.0f) || data.coats == 0) return;
     block_.upload(std::span<const ShellData>(&data, 1));
 
-    updateTriangles(mirror, document.skin);
-    updateSkin(mirror);
     mirror.bind();
     frameBlock.bindUniform(binding::frame);
     block_.bindUniform(binding::shells);
-    curvatures_.bindStorage(binding::curvatures);
-    rest_.bindStorage(binding::restVertices);
-    vertices_.bindStorage(binding::shellVertices);
-    glBindTextureUnit(3, vertexRows_.name());
-    glBindTextureUnit(4, cornerRows_.name());
-    glBindTextureUnit(5, indexRows_.name());
-    glBindTextureUnit(6, tileRows_.name());
-    findCurves(mirror, document, data.coats, frame.seconds);
+    ground_.update(mirror, document, data.coats, frame.seconds, view.waits);
+    glBindTextureUnit(binding::shellRows, ground_.vertices().name());
+    glBindTextureUnit(binding::cornerRows, ground_.corners().name());
+    glBindTextureUnit(binding::shellTile, tileRows_.name());
     uint mapped = 0;
     for (uint coat = 0; coat < 2; ++coat)
         if (view.maps[coat].texture) mapped |= data.coats & 1u << coat;
@@ -332,7 +246,7 @@ void ShellPass::draw(const Mirror& mirror, const Document& document, const View&
         if (view.shells == Shells::instanced)
             drawLayers(mirror, data.coats);
         else
-            drawMarched(mirror, canvas, view.shells == Shells::plain);
+            drawMarched(mirror, skin, canvas, view.shells == Shells::plain);
     }
     // A photograph shows all of a fur.
     if (mapped == 3u && view.maps[0] == view.maps[1] && view.maps[0].texture->photo) mapped = 1u;
@@ -343,8 +257,7 @@ void ShellPass::draw(const Mirror& mirror, const Document& document, const View&
 }
 
 std::size_t ShellPass::bytes() const {
-    return tile_.bytes() + pictures_.bytes() + vertices_.bytes() + rest_.bytes() +
-           curvatures_.bytes() + rodTable_.bytes();
+    return tile_.bytes() + pictures_.bytes() + ground_.bytes();
 }
 
 }  // namespace pelage

@@ -288,8 +288,80 @@ TEST(Layout, BuffersOfTheShellPassLieAsTheDriverReadsThem) {
          "restVertices",
          sizeof(RestVertex),
          {FIELD(RestVertex, position), FIELD(RestVertex, pad0), FIELD(RestVertex, turn)}},
+        {"Bends",
+         "bends",
+         sizeof(Bend),
+         {FIELD(Bend, normal), FIELD(Bend, pad0), Field{"xx", offsetof(Bend, curvature.xx)},
+          Field{"xy", offsetof(Bend, curvature.xy)}, Field{"xz", offsetof(Bend, curvature.xz)},
+          Field{"yy", offsetof(Bend, curvature.yy)}, Field{"yz", offsetof(Bend, curvature.yz)},
+          Field{"zz", offsetof(Bend, curvature.zz)}, Field{"pad1", offsetof(Bend, curvature.pad0)},
+          Field{"pad2", offsetof(Bend, curvature.pad1)}}},
+    };
+    for (const auto& b : blocks) expectElements(program.name(), b.block, b.array, b.size, b.fields);
+}
+
+// Fields of a std140 block; names begin with `prefix`.
+void expectUniforms(GLuint program, const std::string& block, const std::string& prefix,
+                    std::size_t size, const std::vector<Field>& fields) {
+    for (const Field& field : fields) {
+        const std::string name = prefix + field.name;
+        EXPECT_EQ(property(program, GL_UNIFORM, name, GL_OFFSET), field.offset) << name;
+    }
+    EXPECT_EQ(property(program, GL_UNIFORM_BLOCK, block, GL_NUM_ACTIVE_VARIABLES), fields.size())
+        << block;
+    EXPECT_EQ(property(program, GL_UNIFORM_BLOCK, block, GL_BUFFER_DATA_SIZE), size) << block;
+}
+
+TEST(Layout, UniformBlocksLieAsTheDriverReadsThem) {
+    const Program program = Program::compute("strand_raster.comp");
+    expectUniforms(program.name(), "FurBlock", "fur.", sizeof(Fur), kFur);
+    expectUniforms(program.name(), "FrameBlock", "FrameBlock.", sizeof(FrameData),
+                   {FIELD(FrameData, viewProjection), FIELD(FrameData, eye),
+                    FIELD(FrameData, pixelsPerMetre), FIELD(FrameData, forward),
+                    FIELD(FrameData, perspective),    FIELD(FrameData, light.toKey),
+                    FIELD(FrameData, light.key),      FIELD(FrameData, light.sky),
+                    FIELD(FrameData, light.pad0),     FIELD(FrameData, light.ground),
+                    FIELD(FrameData, light.pad1),     FIELD(FrameData, overlayRange),
+                    FIELD(FrameData, overlay),        FIELD(FrameData, segments),
+                    FIELD(FrameData, size),           FIELD(FrameData, overWidth),
+                    FIELD(FrameData, underWidth),     FIELD(FrameData, hairsPerArea),
+                    FIELD(FrameData, coats),          FIELD(FrameData, textured),
+                    FIELD(FrameData, adapts),         FIELD(FrameData, seconds),
+                    FIELD(FrameData, tolerance),      FIELD(FrameData, sides)});
+}
+
+TEST(Layout, BuffersOfTheShellPassLieAsTheDriverReadsThem) {
+    const Program program = Program::compute("shell_curves.comp");
+    const struct {
+        const char *block, *array;
+        std::size_t size;
+        std::vector<Field> fields;
+    } blocks[] = {
+        {"ShellVertices",
+         "shellVertices",
+         sizeof(ShellVertex),
+         {FIELD(ShellVertex, position),    FIELD(ShellVertex, top),
+          FIELD(ShellVertex, normal),      FIELD(ShellVertex, density),
+          FIELD(ShellVertex, overA),       FIELD(ShellVertex, furLength),
+          FIELD(ShellVertex, overB),       FIELD(ShellVertex, bendXX),
+          FIELD(ShellVertex, underA),      FIELD(ShellVertex, bendXY),
+          FIELD(ShellVertex, underB),      FIELD(ShellVertex, bendXZ),
+          FIELD(ShellVertex, overAcross),  FIELD(ShellVertex, bendYY),
+          FIELD(ShellVertex, underAcross), FIELD(ShellVertex, bendYZ),
+          FIELD(ShellVertex, place),       FIELD(ShellVertex, bendZZ),
+          FIELD(ShellVertex, tint),        FIELD(ShellVertex, pad0),
+          FIELD(ShellVertex, turn)}},
+        {"ShellCorners",
+         "shellCorners",
+         sizeof(ShellCorner),
+         {FIELD(ShellCorner, outer), FIELD(ShellCorner, top), FIELD(ShellCorner, position),
+          FIELD(ShellCorner, pad0), FIELD(ShellCorner, normal), FIELD(ShellCorner, pad1)}},
+        {"RestVertices",
+         "restVertices",
+         sizeof(RestVertex),
+         {FIELD(RestVertex, position), FIELD(RestVertex, pad0), FIELD(RestVertex, turn)}},
         {"Curvatures",
-         "curvatures",
+         "bends",
          sizeof(Curvature),
          {FIELD(Curvature, xx), FIELD(Curvature, xy), FIELD(Curvature, xz), FIELD(Curvature, yy),
           FIELD(Curvature, yz), FIELD(Curvature, zz), FIELD(Curvature, pad0),
