@@ -70,10 +70,13 @@ struct Hair {
     vec3 a, b;   // m, along the skin: t(1-t) a + t^2 b
     float za;    // m, over the skin
     float zb;
+    float spread;  // of heights; this is the highest
 };
 
-Hair hairOf(Curve c, vec3 n) {
+Hair hairOf(vec3 a, vec3 b, Coat coat, vec3 n, float bend) {
     Hair h;
+    h.spread = spreadOf(Curve(a, b), n, coat.endRandomness);
+    Curve c = overBent(highest(Curve(a, b), h.spread), n, bend);
     h.za = dot(c.a, n);
     h.zb = dot(c.b, n);
     h.a = c.a - h.za * n;
@@ -133,6 +136,7 @@ Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, Groun
     Slab slab;
     slab.to = rootAt(ray, place, hair, stray, n, ahead, at.way, 1.0);
     slab.t.y = 1.0;
+    slab.spread = hair.spread;
     vec3 end = rootAt(ray, place, hair, stray, n, ahead, skin.way, 0.0);
     // The normal where the roots are, about.
     Axes axes = axesOf(normalize(n + ray.bend * (0.5 * (slab.to + end) - place)), g.density);
@@ -177,7 +181,7 @@ Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, Groun
             float way = mix(before.way, at.way, one.along);
             if (one.along <= 1.0 && way < hit.way && crossed) {
                 hit.way = way;
-                hit.t = mix(slab.t.x, slab.t.y, one.along);
+                hit.t = one.t;
                 hit.across = one.across;
                 hit.id = one.id;
                 hit.root = mix(slab.from, slab.to, one.along);
@@ -286,9 +290,8 @@ void main() {
     hit.way = 1e30;
     for (uint c = 0u; c < 2u; ++c) {
         if ((shellCoats >> c & 1u) == 0u) continue;
-        Curve curve = overBent(Curve(g.underA, g.underB), g.normal, g.bendUnder);
-        if (c == 0u) curve = overBent(Curve(g.overA, g.overB), g.normal, g.bendOver);
-        Hair hair = hairOf(curve, g.normal);
+        Hair hair = hairOf(g.underA, g.underB, fur.under, g.normal, g.bendUnder);
+        if (c == 0u) hair = hairOf(g.overA, g.overB, fur.over, g.normal, g.bendOver);
         ShellCoat coat = shellUnder;
         if (c == 0u) coat = shellOver;
         hit = march(ray, below, hair, coat, c, g, ahead, coat.width * pixelsPerMetre, hit);

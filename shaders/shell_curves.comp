@@ -39,7 +39,8 @@ MeanHair meanHair(Coat coat, uint bit, SkinVertex skin, vec3 n, FurVertex painte
 }
 
 // How high it gets over the skin. Hair that hangs is highest before its tip.
-float heightOf(Curve c, vec3 n, Bend bend) {
+float heightOf(Curve mean, Coat coat, vec3 n, Bend bend) {
+    Curve c = highest(mean, spreadOf(mean, n, coat.endRandomness));
     mat3 bends = mat3(bend.xx, bend.xy, bend.xz, bend.xy, bend.yy, bend.yz, bend.xz, bend.yz, bend.zz);
     vec3 t = safeUnit(c.b - dot(c.b, n) * n, vec3(0.0));
     c = overBent(c, n, dot(t, bends * t));
@@ -58,7 +59,8 @@ void main() {
     RestVertex rest = restVertices[v];
     vec4 q = rest.turn;
     float density = furVertices[v].density;
-    float top = max(heightOf(over.curve, n, bend), heightOf(under.curve, n, bend));
+    float top = max(heightOf(over.curve, fur.over, n, bend),
+                    heightOf(under.curve, fur.under, n, bend));
     vec3 position = skinVertices[v].position;
     shellCorners[v] = ShellCorner(position + top * n, top, position, 0u, n, 0u);
     shellVertices[v] = ShellVertex(

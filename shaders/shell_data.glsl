@@ -48,6 +48,19 @@ struct Curve {  // of a hair from its root, m: t(1-t) a + t^2 b
     vec3 a, b;
 };
 
+// By which share of the mean hair's height single hairs are lower or higher at most, as their ends
+// lie in a ball of this share of their length.
+float spreadOf(Curve mean, vec3 n, float endRandomness) {
+    const float kMost = 0.6;
+    float z = dot(mean.b, n);
+    return min(endRandomness * length(mean.b - z * n) / max(abs(z), 1e-20), kMost);
+}
+
+// The highest of the hairs.
+Curve highest(Curve mean, float spread) {
+    return Curve((1.0 + spread) * mean.a, (1.0 + spread) * mean.b);
+}
+
 // Where a point over a flat skin is over one that bends away below it, 1/m: so far along the skin
 // and so high over it.
 vec3 overBent(vec3 p, vec3 n, float bend) {

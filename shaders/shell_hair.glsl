@@ -100,19 +100,28 @@ Axes axesOf(vec3 n, float density) {
 
 struct Slab {       // of a coat between two heights of its hair, as the ray sees it
     vec3 from, to;  // the roots of hair that ends of the ray would touch, world
-    vec2 t;         // shares of the hair's length there
+    vec2 t;         // shares of the highest hair's length there
+    float spread;   // of the hairs' heights, shell_data.glsl
     float stretch;  // square of that of the hair's width across the ray on the skin
 };
 
 struct TileHit {
     float along;   // share of the way through the slab; 2 = none
+    float t;       // of the hair
     float across;  // from the middle of the hair, in half widths
     uint id;       // scattered by who draws it
 };
 
+// How many times as high as a hair the highest one is: hairs are as high on average as the mean hair,
+// by the sum of two draws.
+float heightRatio(float spread, float draw) {
+    float x = fract(311.3 * draw) + fract(5.7 * draw) - 1.0;
+    return (1.0 + spread) / (1.0 + spread * x);
+}
+
 // The first hair of one axis that the ray meets in a slab.
 TileHit tileHit(Slab slab, uint axis, uint coatNumber, ShellCoat coat, Level level, Axes axes) {
-    TileHit hit = TileHit(2.0, 0.0, 0u);
+    TileHit hit = TileHit(2.0, 0.0, 0.0, 0u);
     vec3 m = alongAxis(axes.normal, axis);
     vec2 tilt = m.xy / m.z;
     vec2 from = alongAxis(slab.from, axis).xy;
@@ -137,14 +146,15 @@ TileHit tileHit(Slab slab, uint axis, uint coatNumber, ShellCoat coat, Level lev
         float along = clamp((dot(offset, way) + offsetTilt * wayTilt) * perSquare, 0.0, 1.0);
         vec2 rest = offset - along * way;
         float restTilt = dot(rest, tilt);
-        float t = mix(slab.t.x, slab.t.y, along);
+        // Any cheap draw will do that tells the roots of neighboring tiles apart.
+        float draw = fract(0.6180340 * float(root.number) + dot(cell, vec2(0.7548777, 0.5698403)));
+        float t = mix(slab.t.x, slab.t.y, along) * heightRatio(slab.spread, draw);
         float radius = 0.5 * coat.width * widthShare(level, root.number) * (1.0 - coat.taper * t);
         float square = radius * radius * slab.stretch;
         float distance2 = dot(rest, rest) + restTilt * restTilt;
-        // Any cheap draw will do that tells the roots of neighboring tiles apart.
-        float draw = fract(0.6180340 * float(root.number) + dot(cell, vec2(0.7548777, 0.5698403)));
-        if (distance2 < square && along < hit.along && fract(1021.7 * draw) < chance) {
+        if (t <= 1.0 && distance2 < square && along < hit.along && fract(1021.7 * draw) < chance) {
             hit.along = along;
+            hit.t = t;
             hit.id = bits;
             inCell = cell;
             hit.across = sign(way.x * rest.y - way.y * rest.x) * sqrt(distance2 / square);

@@ -24,7 +24,7 @@ void main() {
     if (layerCoat == 0u) coat = shellOver;
     Level level = levelFor(coat.width * pixelsPerMetreAt(g.outer));
     Axes axes = axesOf(g.normal, g.density);
-    Slab slab = Slab(g.place, g.place, vec2(layerAt), 1.0);
+    Slab slab = Slab(g.place, g.place, vec2(layerAt), 0.0, 1.0);
     Hit hit;
     hit.way = 1e30;
     hit.t = layerAt;
