@@ -63,7 +63,8 @@ std::vector<vec3> smoothNormals(const Skin& skin, float deviation) {
     std::vector<vec3> normals, before;
     normals.reserve(skin.vertices.size());
     for (const SkinVertex& v : skin.vertices) normals.push_back(v.normal);
-    // A mean over a vertex and a ring of six, all a spacing away, has 3/7 of its square as variance.
+    // A mean over a vertex and a ring of six, all a spacing away, has 3/7 of its square as
+    // variance.
     const float perSpacing = deviation / std::max(skin.spacing, 1e-30f);
     const auto rounds = static_cast<int>(std::min(7.0f / 3.0f * perSpacing * perSpacing, 64.0f));
     for (int round = 0; round < rounds; ++round) {

@@ -18,13 +18,13 @@ struct Curvature {
     float along(vec3 tangent) const;
 };
 
-// At each vertex the best fit to these normals of its one-ring, unit or 0 by vertex; zero where that
-// has no two directions.
+// At each vertex the best fit to these normals of its one-ring, unit or 0 by vertex; zero where
+// that has no two directions.
 std::vector<Curvature> curvaturesOf(const Skin& skin, std::span<const vec3> normals);
 
 // The skin's normals, each the mean of those around it by a bell of this standard deviation along
-// the skin, m: so many rounds of means over one-rings, at most 64 of them, as spread that far at the
-// skin's spacing. Unit, or 0 where they cancel out or the skin has none.
+// the skin, m: so many rounds of means over one-rings, at most 64 of them, as spread that far at
+// the skin's spacing. Unit, or 0 where they cancel out or the skin has none.
 std::vector<vec3> smoothNormals(const Skin& skin, float deviation);
 
 }  // namespace pelage

@@ -261,6 +261,17 @@ void colorAtRoot(inout Ground g, Hit hit) {
     g.bare = bareColor(f, share);
 }
 
+// Where the skin's normal has turned by so much the hair has turned with it.
+void lightAtRoot(inout Ground g, vec3 turn) {
+    vec3 n = safeUnit(g.normal + turn, g.normal);
+    turn = n - g.normal;
+    g.overA += dot(g.overA, g.normal) * turn - dot(g.overA, turn) * n;
+    g.overB += dot(g.overB, g.normal) * turn - dot(g.overB, turn) * n;
+    g.underA += dot(g.underA, g.normal) * turn - dot(g.underA, turn) * n;
+    g.underB += dot(g.underB, g.normal) * turn - dot(g.underB, turn) * n;
+    g.normal = n;
+}
+
 void main() {
     Ground g = groundBelow(faceOf(indices, texelFetch(found, ivec2(gl_FragCoord.xy), 0).xy));
     Ray ray;
@@ -297,7 +308,13 @@ void main() {
         hit = march(ray, below, hair, coat, c, g, ahead, coat.width * pixelsPerMetre, hit);
     }
     bool hits = hit.way < 1e29;
-    if (hits) colorAtRoot(g, hit);
+    if (hits) {
+        colorAtRoot(g, hit);
+        vec3 way = hit.root - below;
+        way -= dot(way, g.normal) * g.normal;
+        vec3 aside = way - dot(way, ahead) * ahead;
+        lightAtRoot(g, ray.bend * (way - aside) + ray.bendAcross * aside);
+    }
     color = hits ? vec4(radianceOf(hit, g), 1.0) : vec4(0.5);
     vec4 clip = frame.viewProjection * vec4(g.outer + (back - hit.way) * toEye(g.outer), 1.0);
     depth = hits ? clamp(0.5 + 0.5 * clip.z / clip.w, 0.0, 1.0) : 1.0;

@@ -49,7 +49,8 @@ public:
     // beside the caller, who has a finer surface until then, or at once where he `waits`. There
     // are none in other poses than that at rest, and none of a skin that is no longer there.
     const Surface& surface(const Sight& sight, float deviation, bool waits);
-    // In any pose: one that misses the skin at rest by at most `error` m, its patches those at rest.
+    // In any pose: one that misses the skin at rest by at most `error` m, its patches those at
+    // rest.
     const Surface& surfaceWithin(float error, bool waits);
     const gl::Buffer& corners() const { return corners_; }
     // As it stands.

@@ -1,5 +1,5 @@
-// shell_ground.cpp -- what shells know of the skin: the mean hair over it, and the surfaces that rays
-// through the fur begin and end on.
+// shell_ground.cpp -- what shells know of the skin: the mean hair over it, and the surfaces that
+// rays through the fur begin and end on.
 #include "app/render/shell_ground.h"
 
 #include <algorithm>
@@ -55,8 +55,7 @@ ShellGround::ShellGround()
 }
 
 const gl::Texture& ShellGround::Indices::update(const gl::Buffer& buffer) {
-    if (std::exchange(of, buffer.name()) != buffer.name())
-        rows = gl::makeTexture(buffer, GL_R32UI);
+    if (std::exchange(of, buffer.name()) != buffer.name()) rows = gl::makeTexture(buffer, GL_R32UI);
     return rows;
 }
 
@@ -74,8 +73,8 @@ void ShellGround::update(Mirror& mirror, const Document& document, uint coats, f
     updateVertices(mirror, document.skin);
     fur_.update(furSurface_->indices);
     updateBends(mirror, kSmoothed * usual);
-    findCurves(mirror, {shown_, document.groom, fur, coats, fur.wind > 0.0f ? seconds : 0.0f,
-                        smoothed_});
+    findCurves(mirror,
+               {shown_, document.groom, fur, coats, fur.wind > 0.0f ? seconds : 0.0f, smoothed_});
 }
 
 // What is the same in every pose.

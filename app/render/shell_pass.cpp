@@ -123,8 +123,8 @@ void ShellPass::march(const Program& program, const Peel& peel, const gl::Textur
 // the surface over the fur that is nearest, then below what comes next behind it, as long as
 // anything does. Then from the skin where that did not look for its fur: where the eye is in the
 // fur, and in hollows, whose outer surface lies in other parts of the body.
-void ShellPass::drawMarched(const Mirror& mirror, const Mirror::Surface& skin,
-                            const Canvas& canvas, bool plain) {
+void ShellPass::drawMarched(const Mirror& mirror, const Mirror::Surface& skin, const Canvas& canvas,
+                            bool plain) {
     constexpr std::size_t kMostPeels = 4;
     resize(canvas.size);
     std::optional<March>& made = plain ? plain_ : swept_;
@@ -256,8 +256,6 @@ void ShellPass::draw(Mirror& mirror, const Mirror::Surface& skin, const Document
     textureBytes_ += pictures_.keep(view.maps);
 }
 
-std::size_t ShellPass::bytes() const {
-    return tile_.bytes() + pictures_.bytes() + ground_.bytes();
-}
+std::size_t ShellPass::bytes() const { return tile_.bytes() + pictures_.bytes() + ground_.bytes(); }
 
 }  // namespace pelage

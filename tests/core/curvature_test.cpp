@@ -65,5 +65,54 @@ TEST(Curvature, IsZeroWhereTheOneRingHasNoTwoDirections) {
         EXPECT_NEAR(c.along(vec3(1.0f, 0.0f, 0.0f)), 0.0f, 1e-6f);
 }
 
+// A small tilt of one vertex spreads like a bell whose variance each way is the square of what is
+// asked for.
+TEST(SmoothNormals, AreMeansUnderABellOfThisStandardDeviation) {
+    for (const float perSpacing : {1.0f, 2.0f, 4.0f}) {
+        Source source = test::sheet(48);
+        Skin skin = *makeSkin(std::move(source));
+        uint middle = 0;
+        for (uint v = 0; v < skin.vertices.size(); ++v)
+            if (glm::length(skin.vertices[v].position) <
+                glm::length(skin.vertices[middle].position))
+                middle = v;
+        skin.vertices[middle].normal = glm::normalize(vec3(0.05f, 1.0f, 0.0f));
+        const float deviation = perSpacing * skin.spacing;
+        const std::vector<vec3> normals = smoothNormals(skin, deviation);
+        double sum = 0.0, square = 0.0;
+        for (uint v = 0; v < normals.size(); ++v) {
+            EXPECT_NEAR(glm::length(normals[v]), 1.0f, 1e-5f);
+            const vec3 way = skin.vertices[v].position - skin.vertices[middle].position;
+            sum += static_cast<double>(normals[v].x);
+            square += static_cast<double>(0.5f * normals[v].x * glm::dot(way, way));
+        }
+        EXPECT_NEAR(sum, 0.05, 0.002) << perSpacing;
+        EXPECT_NEAR(std::sqrt(square / sum) / static_cast<double>(deviation), 1.0, 0.15)
+            << perSpacing;
+    }
+}
+
+TEST(SmoothNormals, OfABumpyBallPointAwayFromItsMiddle) {
+    Source source = test::ball(5);
+    Skin skin = *makeSkin(std::move(source));
+    for (uint v = 0; v < skin.vertices.size(); ++v)
+        skin.vertices[v].normal = glm::normalize(
+            skin.vertices[v].position + 0.5f * vec3(std::sin(97.0f * static_cast<float>(v)),
+                                                    std::cos(53.0f * static_cast<float>(v)),
+                                                    std::sin(71.0f * static_cast<float>(v))));
+    float worst = 1.0f;
+    const std::vector<vec3> normals = smoothNormals(skin, 3.0f * skin.spacing);
+    for (uint v = 0; v < normals.size(); ++v)
+        worst = std::min(worst, glm::dot(normals[v], glm::normalize(skin.vertices[v].position)));
+    EXPECT_GT(worst, 0.98f);
+}
+
+TEST(SmoothNormals, StayZeroWhereTheyCancelOut) {
+    Source source = test::sheet(2);
+    Skin skin = *makeSkin(std::move(source));
+    for (SkinVertex& v : skin.vertices) v.normal = vec3(0.0f);
+    for (const vec3 n : smoothNormals(skin, 2.0f * skin.spacing)) EXPECT_EQ(n, vec3(0.0f));
+}
+
 }  // namespace
 }  // namespace pelage
