@@ -6,7 +6,7 @@
 namespace pelage {
 namespace {
 
-constexpr double kAimed = 0.9;       // share of the time that is planned; frames vary
+constexpr double kAimed = 0.85;      // share of the time that is planned; frames vary
 constexpr double kLeastRoom = 0.15;  // share that is left to work, whatever else there is to do
 constexpr double kLearning = 0.5;    // weight of the last frame
 constexpr double kLeastWork = 1e4;   // less of it takes too short a time to be measured

@@ -102,6 +102,38 @@ Stray strayOf(ShellCoat coat, float furLength) {
     return Stray(min(coat.stray * furLength * (kMeanOfBall / kMeanOfWave), 0.1 * wave), 1.0 / wave);
 }
 
+// How a ray goes through the layers: so that its way through each of them is about the same, of a
+// ray that turns before it meets the skin too.
+struct Course {
+    float lowest;  // t there
+    float bow;     // 0 where its height falls evenly, 1 where it turns in the end
+};
+
+Course courseOf(Ray ray, Hair hair, Way at, Way skin) {
+    Course course = Course(0.0, 0.0);
+#ifndef PLAIN
+    float tip = heightAt(hair, 1.0);
+    float closest = ray.far * ray.sine;  // to the middle of the ball, in radii
+    float low = 0.0;
+    if (!skin.there) {
+        low = clamp((closest - 1.0) / ray.bend, 0.0, tip);
+        // The first t at which the hair is so high.
+        float bent = hair.zb - hair.za;
+        float root = sqrt(max(hair.za * hair.za + 4.0 * bent * low, 0.0));
+        course.lowest = clamp(2.0 * low / max(hair.za + root, 1e-20), 0.0, 1.0);
+    }
+    float sine = min(closest / (1.0 + ray.bend * tip), 1.0);
+    float fall = (skin.way - at.way) * sqrt(1.0 - sine * sine);
+    course.bow = clamp(fall / max(tip - low, 1e-20) - 1.0, 0.0, 1.0);
+#endif
+    return course;
+}
+
+// x from 1 at the tips to 0 where the ray is lowest.
+float tOf(Course course, float x) {
+    return mix(course.lowest, 1.0, x * (1.0 - course.bow + course.bow * x));
+}
+
 // The place on the skin whose hair the ray touches with its point at t.
 vec3 rootAt(Ray ray, vec3 place, Hair hair, Stray stray, vec3 n, vec3 ahead, float way, float t) {
     vec3 root = arcOf(ray, way) * ahead - asideAt(hair, t);
@@ -147,6 +179,7 @@ Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, Groun
     uint last = skin.there ? steps : 2u * steps;  // or out of the fur again
     if (!(highest > 0.0)) last = 0u;
     float dt = 1.0 / float(steps);
+    Course course = courseOf(ray, hair, at, skin);
     vec3 aside = asideAt(hair, 1.0);
     float height = heightAt(hair, 1.0);
     for (uint i = 1u; i <= last; ++i) {
@@ -155,7 +188,7 @@ Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, Groun
         float heightBefore = height;
         slab.from = slab.to;
         slab.t.x = slab.t.y;
-        slab.t.y = abs(1.0 - (float(i) - kInSlab) * dt);
+        slab.t.y = tOf(course, abs(1.0 - (float(i) - kInSlab) * dt));
         aside = asideAt(hair, slab.t.y);
         height = heightAt(hair, slab.t.y);
         at = wayTo(ray, min(height, ray.top), i > steps);
