@@ -155,8 +155,8 @@ float stepsFor(Ray ray, ShellCoat coat, float highest, float spacings) {
     return asked;
 }
 
-Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, Ground g, vec3 ahead, float pixels,
-          Hit hit) {
+Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, Ground g, vec3 ahead,
+          float pixels, Hit hit) {
     vec3 n = g.normal;
     // Hair that hangs is highest before its tip; what is beyond comes in no order.
     float peak = hair.za > 2.0 * hair.zb ? 0.5 * hair.za / (hair.za - hair.zb) : 1.0;
@@ -255,7 +255,8 @@ Corner cornerOf(uint number) {
 // As shell_over.frag found it.
 Face faceOf(usamplerBuffer surface, uvec2 number) {
     int corner = 3 * int(number.x - 1u);
-    return Face(cornerOf(texelFetch(surface, corner).r), cornerOf(texelFetch(surface, corner + 1).r),
+    return Face(cornerOf(texelFetch(surface, corner).r),
+                cornerOf(texelFetch(surface, corner + 1).r),
                 cornerOf(texelFetch(surface, corner + 2).r), number.y);
 }
 

@@ -41,7 +41,8 @@ MeanHair meanHair(Coat coat, uint bit, SkinVertex skin, vec3 n, FurVertex painte
 // How high it gets over the skin. Hair that hangs is highest before its tip.
 float heightOf(Curve mean, Coat coat, vec3 n, Bend bend) {
     Curve c = highest(mean, spreadOf(mean, n, coat.endRandomness));
-    mat3 bends = mat3(bend.xx, bend.xy, bend.xz, bend.xy, bend.yy, bend.yz, bend.xz, bend.yz, bend.zz);
+    mat3 bends = mat3(bend.xx, bend.xy, bend.xz, bend.xy, bend.yy, bend.yz, bend.xz, bend.yz,
+                      bend.zz);
     vec3 t = safeUnit(c.b - dot(c.b, n) * n, vec3(0.0));
     c = overBent(c, n, dot(t, bends * t));
     float a = dot(c.a, n);
@@ -66,7 +67,8 @@ void main() {
     shellVertices[v] = ShellVertex(
         position, top, turned(n, q),
         density > 0.0 ? min(density, 1.0) : 0.0, turned(over.curve.a, q), furVertices[v].furLength,
-        turned(over.curve.b, q), bend.xx, turned(under.curve.a, q), bend.xy, turned(under.curve.b, q), bend.xz,
+        turned(over.curve.b, q), bend.xx, turned(under.curve.a, q), bend.xy,
+        turned(under.curve.b, q), bend.xz,
         turned(over.across, q), bend.yy, turned(under.across, q), bend.yz, rest.position, bend.zz,
         furVertices[v].tint, 0u, q);
 }
