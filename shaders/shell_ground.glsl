@@ -29,6 +29,7 @@ struct Ground {     // in the space of the skin at rest, unless world is said
     float top;
     float bend;     // 1/m, curvature of the skin in the direction of the view
     float bendAcross;  // and across it
+    float bendToKey;   // and towards the key light
     float skyward;  // how far the skin looks up in the world
     float density;
     float furLength;
@@ -73,6 +74,9 @@ Ground groundOf(ShellVertex a, ShellVertex b, ShellVertex c, vec3 share, vec3 ba
                       mixedBends.yz, MIXED(bendZZ));
     g.bend = dot(t, bends * t);
     g.bendAcross = dot(side, bends * side);
+    vec3 key = frame.light.toKey;
+    vec3 toKey = safeUnit(key - dot(key, up) * up, t);
+    g.bendToKey = dot(toKey, bends * toKey);
     g.density = MIXED(density);
     g.furLength = MIXED(furLength);
     g.tint = MIXED(tint);

@@ -108,11 +108,12 @@ struct TileHit {
     float along;   // share of the way through the slab; 2 = none
     float across;  // from the middle of the hair, in half widths
     uint id;       // scattered by who draws it
+    float met;     // hairs that stand beside the way through the slab
 };
 
 // The first hair of one axis that the ray meets in a slab.
 TileHit tileHit(Slab slab, uint axis, uint coatNumber, ShellCoat coat, Level level, Axes axes) {
-    TileHit hit = TileHit(2.0, 0.0, 0u);
+    TileHit hit = TileHit(2.0, 0.0, 0u, 0.0);
     vec3 m = alongAxis(axes.normal, axis);
     vec2 tilt = m.xy / m.z;
     vec2 from = alongAxis(slab.from, axis).xy;
@@ -134,7 +135,8 @@ TileHit tileHit(Slab slab, uint axis, uint coatNumber, ShellCoat coat, Level lev
         vec2 cell = floor(0.5 - apart);
         vec2 offset = (apart + cell) * coat.period + 0.5 * way;  // from where the slab begins
         float offsetTilt = dot(offset, tilt);
-        float along = clamp((dot(offset, way) + offsetTilt * wayTilt) * perSquare, 0.0, 1.0);
+        float beside = (dot(offset, way) + offsetTilt * wayTilt) * perSquare;
+        float along = clamp(beside, 0.0, 1.0);
         vec2 rest = offset - along * way;
         float restTilt = dot(rest, tilt);
         float t = mix(slab.t.x, slab.t.y, along);
@@ -143,7 +145,9 @@ TileHit tileHit(Slab slab, uint axis, uint coatNumber, ShellCoat coat, Level lev
         float distance2 = dot(rest, rest) + restTilt * restTilt;
         // Any cheap draw will do that tells the roots of neighboring tiles apart.
         float draw = fract(0.6180340 * float(root.number) + dot(cell, vec2(0.7548777, 0.5698403)));
-        if (distance2 < square && along < hit.along && fract(1021.7 * draw) < chance) {
+        bool meets = distance2 < square && fract(1021.7 * draw) < chance;
+        if (meets && beside == along) hit.met += 1.0;
+        if (meets && along < hit.along) {
             hit.along = along;
             hit.id = bits;
             inCell = cell;

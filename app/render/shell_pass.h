@@ -30,7 +30,6 @@ public:
     std::size_t bytes() const;
 
 private:
-    void makeTile();
     void findCurves(const Mirror& mirror, const Document& document, uint coats, float seconds);
     void updateTriangles(const Mirror& mirror, const std::shared_ptr<const Skin>& atRest);
     void updateSkin(const Mirror& mirror);
@@ -51,18 +50,20 @@ private:
               const Peel& before) const;
     void leaveOutSeen() const;
     void march(const Program& program, const Peel& peel, const Canvas& canvas) const;
-    void drawMarched(const Mirror& mirror, const Canvas& canvas, bool plain);
+    void drawMarched(const Mirror& mirror, const Canvas& canvas, const View& view);
     // From pictures, layer by layer in any case.
     void drawMap(const Mirror& mirror, const ShellSource& source, uint coat);
     void drawLayer(const Mirror& mirror, const Program& program, float t) const;
-    void drawLayers(const Mirror& mirror, uint coats);
+    void drawLayers(const Mirror& mirror, uint coats, bool shadows);
 
     struct March {
         Program fromOver, fromSkin;
     };
+    const March& marchFor(const View& view);
     Program curves_, rodCurves_, over_, skin_, show_, seenOut_;
-    std::optional<Program> layer_, map_;  // made when they are first needed, as is a march
-    std::optional<March> swept_, plain_;
+    // Made when they are first needed; a layer and marches without shadows and with them.
+    std::optional<Program> layer_[2], map_;
+    std::optional<March> swept_[2], plain_[2];
     gl::VertexArray layerArray_, surfaceArray_;
     gl::Buffer tile_, block_, mapBlock_, vertices_, corners_, indices_, rest_, curvatures_,
         rodTable_;

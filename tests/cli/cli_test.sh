@@ -177,10 +177,10 @@ bad 2 '--set over\.fluffiness=3: there is no parameter' export tetra.obj --set o
 bad 2 '--set stiff: expected NAME=VALUE' export tetra.obj --set stiff -o never.glb
 bad 2 '--preset: there is no preset "poodle"' export tetra.obj --preset poodle -o never.glb
 bad 2 'export .*--hairs' export tetra.obj --hairs 5000001 -o never.glb
-bad 2 'expected a FILE or --animal N' export -o never.glb
+bad 2 'expected a FILE, --animal N or --field N' export -o never.glb
 bad 2 'export .*"tetra\.obj" does not end in \.glb' export tetra.obj -o tetra.obj
 bad 2 'render .*"r\.jpg" does not end in \.png' render tetra.obj -o r.jpg
-bad 2 'expected a FILE or --animal N' export tetra.obj --animal 2000 -o never.glb
+bad 2 'expected a FILE, --animal N or --field N' export tetra.obj --animal 2000 -o never.glb
 bad 2 'export .*--output is required' export tetra.obj
 [ ! -e never.glb ] || fail "a refused export wrote a file"
 
