@@ -12,11 +12,14 @@ namespace {
 
 constexpr std::size_t kLeast = 2000, kMost = 2000000;
 constexpr float kSide = 2.0f;   // m
-constexpr float kHigh = 0.15f;  // m
+constexpr float kHigh = 0.1f;   // m
+constexpr float kFall = 0.15f;  // m, at the middle of an edge
 
 float groundAt(float x, float z) {
-    const float hills = 0.8f * spaceNoise({1.1f * x, 0.3f, 1.1f * z});
-    return kHigh * (hills + 0.2f * spaceNoise({3.0f * x, 7.3f, 3.0f * z}));
+    const float hills = 0.9f * spaceNoise({0.9f * x + 0.4f, 0.3f, 0.9f * z + 0.4f});
+    const float x3 = x * x * x, z3 = z * z * z;
+    return kHigh * (hills + 0.1f * spaceNoise({2.3f * x, 7.3f, 2.3f * z})) -
+           kFall * (x3 * x3 + z3 * z3);
 }
 
 vec3 normalAt(float x, float z) {
@@ -35,8 +38,8 @@ FurVertex grassAt(vec3 p, vec3 n) {
     const float dry = 0.5f + 0.5f * spaceNoise({1.3f * p.x, 60.0f, 1.3f * p.z});
     FurVertex fur;
     fur.direction = 0.8f * (aside - glm::dot(aside, n) * n);
-    fur.furLength = 0.11f * (1.0f + 0.35f * patch + 0.25f * tuft);
-    fur.tint = glm::mix(vec3(0.8f, 1.0f, 0.75f), vec3(1.0f, 0.95f, 0.7f), dry);
+    fur.furLength = 0.08f * (1.0f + 0.35f * patch + 0.25f * tuft);
+    fur.tint = glm::mix(vec3(0.6f, 0.85f, 0.6f), vec3(1.0f, 0.95f, 0.7f), dry);
     fur.density = 1.0f;
     return fur;
 }

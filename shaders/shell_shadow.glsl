@@ -11,7 +11,7 @@
 
 #include "shell_curve.glsl"
 
-const uint kShadowSlabs = 3u;  // each from root to root
+const uint kShadowSlabs = 4u;  // each from root to root
 const float kMostTurn = 0.25;  // radians, by which the skin turns where it is a ball
 // Roots are evenly spread: so far from one, in ways from root to root, there is no other on average.
 const float kAlone = 0.6;
