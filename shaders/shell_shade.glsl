@@ -22,8 +22,8 @@ float pixelsPerMetreAt(vec3 place) {
 float keyPast(Hit hit, Ground g) { return 1.0; }
 #endif
 
-// What the light here makes of a hair of this color, under a coat of optical depth `depth`, where the
-// key light is so many times as strong as on average.
+// What the light here makes of a hair of this color, under a coat of optical depth `depth`, where
+// the key light is so many times as strong as on average.
 vec3 litHair(Hit hit, Coat coat, vec3 base, float depth, float key, Ground g) {
     vec3 n = g.normal;
     uint id = pcg(hit.id);

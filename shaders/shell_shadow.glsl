@@ -1,29 +1,32 @@
 // shell_shadow.glsl -- the shadows that single hairs in shells cast on hair below them.
 //
-// After Papaioannou, "A Simple and Fast Technique for Fur Rendering", 2002: layer j of N darkens layer
-// i below it, moved aside by h tan(theta) (j - i) / N. Here what stands in the way is looked for between
-// layers too, as a ray looks for what it meets, and for the nearest roots only: further up the mean of
-// the coat (keyThroughCoat in fiber.glsl) is as good. That mean stays what it is: each hair in the way
-// stops kStraightShare of the light, and what as many hairs stop on average is given back.
+// After Papaioannou, "A Simple and Fast Technique for Fur Rendering", 2002: layer j of N darkens
+// layer i below it, moved aside by h tan(theta) (j - i) / N. Here what stands in the way is looked
+// for between layers too, as a ray looks for what it meets, and for the nearest roots only: further
+// up the mean of the coat (keyThroughCoat in fiber.glsl) is as good. That mean stays what it is:
+// each hair in the way stops kStraightShare of the light, and what as many hairs stop on average is
+// given back.
 //
-// The skin is taken as flat as far as a shadow falls aside. So that it nearly is, hairs are looked for
-// only so high that no shadow falls aside by more than kMostTurn of the skin's radius of curvature.
+// The skin is taken as flat as far as a shadow falls aside. So that it nearly is, hairs are looked
+// for only so high that no shadow falls aside by more than kMostTurn of the skin's radius of
+// curvature.
 
 #include "shell_curve.glsl"
 
 const uint kShadowSlabs = 4u;  // each from root to root
 const float kMostTurn = 0.25;  // radians, by which the skin turns where it is a ball
-// Roots are evenly spread: so far from one, in ways from root to root, there is no other on average.
+// Roots are evenly spread: so far from one, in ways from root to root, there is hardly another.
 const float kAlone = 0.6;
 
-// How far aside along a skin of unit normal n a shadow falls from a height, in light that comes from
-// the unit direction l: towards the light.
+// How far aside along a skin of unit normal n a shadow falls from a height, in light that comes
+// from the unit direction l: towards the light.
 vec3 shadowShift(vec3 n, vec3 l, float height) {
     float up = dot(n, l);
     return (height / max(up, 0.05)) * (l - up * n);
 }
 
-// The height up to which hairs are looked for over a skin of this curvature (1/m) towards the light.
+// The height up to which hairs are looked for over a skin of this curvature (1/m) towards the
+// light.
 float shadowHeight(vec3 n, vec3 l, float bend) {
     vec3 shift = shadowShift(n, l, 1.0);
     return kMostTurn / max(abs(bend) * sqrt(dot(shift, shift)), 1e-20);
@@ -44,15 +47,16 @@ struct ShadowRay {  // from a place in the fur towards the key light
     float highest;  // m, that is looked at
 };
 
-// The root of the hair that stands in the way with its point at t. `strayed`: how far hairs here stray
-// at the tip, `at`: the t of this coat at the ray's beginning.
+// The root of the hair that stands in the way with its point at t. `strayed`: how far hairs here
+// stray at the tip, `at`: the t of this coat at the ray's beginning.
 vec3 rootInWay(ShadowRay ray, Hair h, vec3 strayed, float at, float t) {
     return ray.root + shadowShift(ray.normal, ray.toKey, heightAt(h, t) - ray.height) + ray.aside -
            asideAt(h, t) - (t - at) * strayed;
 }
 
 // The logarithm of the light past the hairs of one coat, as a share of what passes on average.
-float logPast(ShadowRay ray, Hair h, ShellCoat coat, uint coatNumber, Ground g, float pixelsPerMetre) {
+float logPast(ShadowRay ray, Hair h, ShellCoat coat, uint coatNumber, Ground g,
+              float pixelsPerMetre) {
     Level level = levelFor(coat.width * pixelsPerMetre);
     Axes axes = axesOf(ray.normal, g.density);
     Stray stray = strayOf(coat, g.furLength);
