@@ -17,6 +17,7 @@ struct ViewOptions {
     bool showSkin = true, showOver = true, showUnder = true;
     DrawnAs over = DrawnAs::strands, under = DrawnAs::strands;
     int layers = 0;                        // of shells, [0, 256]; 0 = as many as they need
+    bool shellShadows = false;             // of single hairs in shells
     int segments = 8;                      // of a hair, [1, 16]
     Detail detail{.milliseconds = 45.0f};  // the time holds while the hand moves
     int samples = 16;                      // that the resting picture averages

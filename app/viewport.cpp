@@ -166,6 +166,7 @@ View viewAtRest(const App& app) {
     view.over = options.over;
     view.under = options.under;
     view.layers = static_cast<uint>(options.layers);
+    view.shellShadows = options.shellShadows;
     view.segments = static_cast<uint>(options.segments);
     view.seconds = options.windSeconds;
     view.detail = options.detail;

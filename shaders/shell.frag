@@ -15,6 +15,7 @@
 #include "shell_data.glsl"
 #include "shell_ground.glsl"
 #include "shell_hair.glsl"
+#include "shell_curve.glsl"
 #include "shell_shade.glsl"
 
 layout(binding = 4) uniform usamplerBuffer cornerRows;  // a Corner each
@@ -63,43 +64,6 @@ float arcOf(Ray r, float way) {
     float u = max(r.far - r.bend * way * r.cosine, 0.25);
     float x = r.bend * way * r.sine / u;
     return way * r.sine / (u * (1.0 + 0.28 * x * x));  // atan(x) = x / (1 + 0.28 x^2)
-}
-
-// Mean hair of a coat over a skin of unit normal n.
-struct Hair {
-    vec3 a, b;   // m, along the skin: t(1-t) a + t^2 b
-    float za;    // m, over the skin
-    float zb;
-    float spread;  // of heights; this is the highest
-};
-
-Hair hairOf(vec3 a, vec3 b, Coat coat, vec3 n, float bend) {
-    Hair h;
-    h.spread = spreadOf(Curve(a, b), n, coat.endRandomness);
-    Curve c = overBent(highest(Curve(a, b), h.spread), n, bend);
-    h.za = dot(c.a, n);
-    h.zb = dot(c.b, n);
-    h.a = c.a - h.za * n;
-    h.b = c.b - h.zb * n;
-    return h;
-}
-
-float heightAt(Hair h, float t) { return max(0.0, t * ((1.0 - t) * h.za + t * h.zb)); }
-vec3 asideAt(Hair h, float t) { return t * ((1.0 - t) * h.a + t * h.b); }
-
-// How hairs lean apart: together with their neighbors, so that none has to be looked for.
-struct Stray {
-    float reach;      // m, at the tip
-    float perMetre;   // waves
-};
-
-// Waves of ten hairs; as far as a random end takes a hair on average, but never so far that hairs
-// would fold over each other.
-Stray strayOf(ShellCoat coat, float furLength) {
-    const float kMeanOfBall = 0.4472136;  // root mean square of each coordinate, 1 / sqrt(5)
-    const float kMeanOfWave = 0.7302967;  // of a parabola's waves, sqrt(8 / 15)
-    float wave = 10.0 * coat.period / sqrt(float(kTileHairs));
-    return Stray(min(coat.stray * furLength * (kMeanOfBall / kMeanOfWave), 0.1 * wave), 1.0 / wave);
 }
 
 // How a ray goes through the layers: so that its way through each of them is about the same, of a
@@ -158,8 +122,7 @@ float stepsFor(Ray ray, ShellCoat coat, float highest, float spacings) {
 Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, Ground g, vec3 ahead,
           float pixels, Hit hit) {
     vec3 n = g.normal;
-    // Hair that hangs is highest before its tip; what is beyond comes in no order.
-    float peak = hair.za > 2.0 * hair.zb ? 0.5 * hair.za / (hair.za - hair.zb) : 1.0;
+    float peak = peakOf(hair);  // what is beyond comes in no order
     float highest = heightAt(hair, peak);
     Level level = levelFor(pixels);
     Stray stray = strayOf(coat, g.furLength);
@@ -173,7 +136,7 @@ Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, Groun
     // The normal where the roots are, about.
     Axes axes = axesOf(normalize(n + ray.bend * (0.5 * (slab.to + end) - place)), g.density);
 
-    float spacing = coat.period * exp2(0.5 * float(level.tile)) / sqrt(float(kTileHairs));
+    float spacing = spacingOf(coat, level);
     float asked = stepsFor(ray, coat, highest, distance(slab.to, end) / spacing);
     uint steps = uint(clamp(ceil(asked), 1.0, float(kMostSteps)));
     uint last = skin.there ? steps : 2u * steps;  // or out of the fur again
@@ -199,11 +162,8 @@ Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, Groun
         before = at;
         slab.stretch = 1.0;
 #else
-        // A hair that leans across the ray is cut into an ellipse.
-        vec3 step = slab.to - slab.from;
-        float rise = height - heightBefore;
-        float slant = dot(n, cross(aside - asideBefore, step));
-        slab.stretch = 1.0 + min(slant * slant / max(rise * rise * dot(step, step), 1e-20), 15.0);
+        slab.stretch = stretchOf(n, height - heightBefore, aside - asideBefore,
+                                 slab.to - slab.from);
 #endif
         // Over a ball hairs stand further apart than their roots.
         float spread = 1.0 + 0.5 * ray.bendAcross * (height + heightBefore);
@@ -329,14 +289,18 @@ void main() {
     ray.bendAcross = clamp(g.bendAcross, -0.5 / g.top, 8.0 / g.top);
 #endif
     ray.far = 1.0 + ray.bend * ray.top;
+    g.bend = ray.bend;
 
     float pixelsPerMetre = pixelsPerMetreAt(g.outer);
     Hit hit;
     hit.way = 1e30;
     for (uint c = 0u; c < 2u; ++c) {
         if ((shellCoats >> c & 1u) == 0u) continue;
-        Hair hair = hairOf(g.underA, g.underB, fur.under, g.normal, g.bendUnder);
-        if (c == 0u) hair = hairOf(g.overA, g.overB, fur.over, g.normal, g.bendOver);
+        Curve mean = Curve(g.underA, g.underB);
+        if (c == 0u) mean = Curve(g.overA, g.overB);
+        float randomness = c == 0u ? fur.over.endRandomness : fur.under.endRandomness;
+        Hair hair = hairOf(mean, spreadOf(mean, g.normal, randomness), g.normal,
+                           c == 0u ? g.bendOver : g.bendUnder);
         ShellCoat coat = shellUnder;
         if (c == 0u) coat = shellOver;
         hit = march(ray, below, hair, coat, c, g, ahead, coat.width * pixelsPerMetre, hit);

@@ -31,6 +31,7 @@ struct Ground {     // in the space of the skin at rest, unless world is said
     float bendAcross;  // and across it
     float bendOver;    // where the overcoat's hair goes
     float bendUnder;
+    float bendToKey;   // and towards the key light
     float skyward;  // how far the skin looks up in the world
     float density;
     float furLength;
@@ -83,6 +84,9 @@ Ground groundOf(ShellVertex a, ShellVertex b, ShellVertex c, vec3 share, vec3 ba
     g.bendAcross = dot(side, bends * side);
     g.bendOver = bendAlong(bends, g.overB, g);
     g.bendUnder = bendAlong(bends, g.underB, g);
+    vec3 key = frame.light.toKey;
+    vec3 toKey = safeUnit(key - dot(key, up) * up, t);
+    g.bendToKey = dot(toKey, bends * toKey);
     g.density = MIXED(density);
     g.furLength = MIXED(furLength);
     g.tint = MIXED(tint);

@@ -110,6 +110,7 @@ struct TileHit {
     float t;       // of the hair
     float across;  // from the middle of the hair, in half widths
     uint id;       // scattered by who draws it
+    float met;     // hairs that stand beside the way through the slab
 };
 
 // How many times as high as a hair the highest one is: hairs are as high on average as the mean hair,
@@ -121,7 +122,7 @@ float heightRatio(float spread, float draw) {
 
 // The first hair of one axis that the ray meets in a slab.
 TileHit tileHit(Slab slab, uint axis, uint coatNumber, ShellCoat coat, Level level, Axes axes) {
-    TileHit hit = TileHit(2.0, 0.0, 0.0, 0u);
+    TileHit hit = TileHit(2.0, 0.0, 0.0, 0u, 0.0);
     vec3 m = alongAxis(axes.normal, axis);
     vec2 tilt = m.xy / m.z;
     vec2 from = alongAxis(slab.from, axis).xy;
@@ -143,7 +144,8 @@ TileHit tileHit(Slab slab, uint axis, uint coatNumber, ShellCoat coat, Level lev
         vec2 cell = floor(0.5 - apart);
         vec2 offset = (apart + cell) * coat.period + 0.5 * way;  // from where the slab begins
         float offsetTilt = dot(offset, tilt);
-        float along = clamp((dot(offset, way) + offsetTilt * wayTilt) * perSquare, 0.0, 1.0);
+        float beside = (dot(offset, way) + offsetTilt * wayTilt) * perSquare;
+        float along = clamp(beside, 0.0, 1.0);
         vec2 rest = offset - along * way;
         float restTilt = dot(rest, tilt);
         // Any cheap draw will do that tells the roots of neighboring tiles apart.
@@ -152,7 +154,9 @@ TileHit tileHit(Slab slab, uint axis, uint coatNumber, ShellCoat coat, Level lev
         float radius = 0.5 * coat.width * widthShare(level, root.number) * (1.0 - coat.taper * t);
         float square = radius * radius * slab.stretch;
         float distance2 = dot(rest, rest) + restTilt * restTilt;
-        if (t <= 1.0 && distance2 < square && along < hit.along && fract(1021.7 * draw) < chance) {
+        bool meets = t <= 1.0 && distance2 < square && fract(1021.7 * draw) < chance;
+        if (meets && beside == along) hit.met += 1.0;
+        if (meets && along < hit.along) {
             hit.along = along;
             hit.t = t;
             hit.id = bits;

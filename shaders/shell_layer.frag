@@ -28,6 +28,7 @@ void main() {
     Hit hit;
     hit.way = 1e30;
     hit.t = layerAt;
+    hit.root = g.place;
     hit.over = layerCoat == 0u;
     for (uint k = 0u, axis = axes.first; k < axes.count; ++k) {
         TileHit one = tileHit(slab, axis, layerCoat, coat, level, axes);

@@ -29,7 +29,7 @@ vec3 mapRadiance(MapCut cut, Ground g) {
     coat.specular = vec3(0.0);
     coat.rootColor = coat.tipColor = vec3(1.0);
     coat.colorNoise = coat.normalRandomness = 0.0;
-    return litHair(hit, coat, g.tint * cut.color, 0.0, g);
+    return litHair(hit, coat, g.tint * cut.color, 0.0, 1.0, g);
 }
 
 void main() {

@@ -9,8 +9,22 @@ struct Hit {
     bool over;
 };
 
-// What the light here makes of a hair of this color, under a coat of optical depth `depth`.
-vec3 litHair(Hit hit, Coat coat, vec3 base, float depth, Ground g) {
+// Pixels that a metre is wide there.
+float pixelsPerMetreAt(vec3 place) {
+    return frame.perspective > 0.0
+               ? frame.pixelsPerMetre / max(dot(place - frame.eye, frame.forward), 1e-6)
+               : frame.pixelsPerMetre;
+}
+
+#ifdef SHADOWS
+#include "shell_shadow.glsl"
+#else
+float keyPast(Hit hit, Ground g) { return 1.0; }
+#endif
+
+// What the light here makes of a hair of this color, under a coat of optical depth `depth`, where
+// the key light is so many times as strong as on average.
+vec3 litHair(Hit hit, Coat coat, vec3 base, float depth, float key, Ground g) {
     vec3 n = g.normal;
     uint id = pcg(hit.id);
     Strand s;
@@ -29,6 +43,7 @@ vec3 litHair(Hit hit, Coat coat, vec3 base, float depth, Ground g) {
     s.droop = kDroopPaper;
     Light light = frame.light;  // as seen from the skin at rest
     light.toKey = safeUnit(g.toKey, n);
+    light.key *= key;
     light.sky = skyLight(frame.light, vec3(0.0, g.skyward, 0.0));
     light.ground = light.sky;
     if (coat.style == kStyleRibbon || coat.style == kStyleTube)
@@ -42,12 +57,5 @@ vec3 radianceOf(Hit hit, Ground g) {
     vec3 base = g.tint * mix(vec3(1.0), g.bare, fur.skinColor);
     float depth = depthInCoat(fur, frame.hairsPerArea * g.density, g.furLength, frame.overWidth,
                               frame.underWidth, hit.over ? 0u : 1u, hit.t);
-    return litHair(hit, coat, base, depth, g);
-}
-
-// Pixels that a metre is wide there.
-float pixelsPerMetreAt(vec3 place) {
-    return frame.perspective > 0.0
-               ? frame.pixelsPerMetre / max(dot(place - frame.eye, frame.forward), 1e-6)
-               : frame.pixelsPerMetre;
+    return litHair(hit, coat, base, depth, keyPast(hit, g), g);
 }

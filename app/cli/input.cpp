@@ -7,6 +7,7 @@
 
 #include "app/cli/cli.h"
 #include "core/animal.h"
+#include "core/field.h"
 #include "core/files.h"
 #include "core/preset_file.h"
 #include "core/script.h"
@@ -58,6 +59,9 @@ void addInputOptions(CLI::App& verb, InputOptions& options) {
     verb.add_option("--animal", options.animal, "The built-in animal of N triangles, not a file")
         ->type_name("N")
         ->check(CLI::Range(std::size_t{2000}, std::size_t{2000000}));
+    verb.add_option("--field", options.field, "The built-in field of N triangles, not a file")
+        ->type_name("N")
+        ->check(CLI::Range(std::size_t{2000}, std::size_t{2000000}));
     verb.add_option("--preset", options.preset,
                     "Put on a coat: one of pelage presets, or a .fur.json file")
         ->type_name("NAME|FILE");
@@ -82,16 +86,18 @@ void addMeshOptions(CLI::App& verb, InputOptions& options) {
 }
 
 Document openInput(const InputOptions& options) {
-    if (options.file.empty() == !options.animal) {
-        throw UsageError("expected a FILE or --animal N, one of the two");
-    }
+    if (int{!options.file.empty()} + int{options.animal.has_value()} +
+            int{options.field.has_value()} !=
+        1)
+        throw UsageError("expected a FILE, --animal N or --field N, one of the three");
     // What is wrong with the command line is found before any long work.
     Fur trial = defaultFur();
     if (!options.preset.empty()) applyNamedPreset(trial, options.preset);
     for (const std::string& set : options.sets) applySet(trial, set);
 
-    Document document =
-        options.animal ? groomedAnimal(*options.animal) : openDocument(readSource(options.file));
+    Document document = options.animal  ? groomedAnimal(*options.animal)
+                        : options.field ? groomedField(*options.field)
+                                        : openDocument(readSource(options.file));
     if (options.subdivide > 0) document = subdivided(document, options.subdivide);
     if (!options.transfer.empty()) document = afterTransfer(document, options.transfer);
     if (!options.preset.empty()) applyNamedPreset(document.fur, options.preset);
@@ -111,6 +117,10 @@ CLI::Validator endsIn(const std::string& extension) {
                 return {};
             },
             ""};
+}
+
+std::string sourceName(const InputOptions& options) {
+    return options.animal ? "animal" : options.field ? "field" : options.file;
 }
 
 std::string stemOf(const std::string& file) {

@@ -118,7 +118,7 @@ void measureFile(const Options& options, bool json) {
         measure(document, wanted, [&](const std::string& what) { steps.begin(what); });
     steps.begin("writing the report");
 
-    const ReportHead head{.model = stemOf(options.input.file),
+    const ReportHead head{.model = stemOf(sourceName(options.input)),
                           .preset = options.input.preset,
                           .date = today(),
                           .processor = processorName(),

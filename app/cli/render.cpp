@@ -37,9 +37,12 @@ struct Options {
     std::string over, under;           // of one coat: strands, shells, auto; empty = as both
     std::string clip;                  // name or number; empty = at rest
     float time = 0.0f;                 // s
+    int frames = 1;                    // of a sequence
+    float rate = 25.0f;                // of them, Hz
     std::optional<float> distance;     // m
     float yaw = 35.0f, pitch = 12.0f;  // degrees
     std::string layers = "auto";
+    bool shellShadows = false;
     ShellOptions shells;
     int samples = 16, repeat = 3;
     bool transparent = false;
@@ -132,20 +135,43 @@ View viewOf(const Document& document, const Options& options) {
     view.detail = options.detail;
     setTechnique(view, options);
     view.layers = *parseLayers(options.layers);
+    view.shellShadows = options.shellShadows;
     useShellOptions(view, options.shells, document.skin->size());
     view.transparent = options.transparent;
     if (options.distance) view.camera.distance = *options.distance;
     return view;
 }
 
-std::shared_ptr<const Skin> standing(const Document& document, const Options& options) {
+// Skin and wind as they are after so many seconds.
+void moveTo(View& view, const Document& document, const Options& options, float seconds) {
+    view.seconds = seconds;
+    if (options.clip.empty()) return;
     try {
-        return posedSkin(document.skin,
-                         {clipNamed(*document.skin, options.clip), options.time, {}});
+        view.posed =
+            posedSkin(document.skin, {clipNamed(*document.skin, options.clip), seconds, {}});
     } catch (const std::runtime_error& error) {
-        throw std::runtime_error((options.input.file.empty() ? "animal" : options.input.file) +
-                                 ": " + error.what());
+        throw std::runtime_error(sourceName(options.input) + ": " + error.what());
     }
+}
+
+// "walk-0001.png" is the first of "walk.png".
+std::string frameFile(const std::string& output, int frame) {
+    char number[16];
+    std::snprintf(number, sizeof number, "-%04d", frame + 1);
+    return output.substr(0, output.size() - 4) + number + output.substr(output.size() - 4);
+}
+
+// Each is finished and written; answers for the last.
+FrameStats writeFrames(Renderer& renderer, const Document& document, View& view,
+                       const Options& options) {
+    FrameStats stats;
+    for (int frame = 0; frame < options.frames; ++frame) {
+        moveTo(view, document, options, options.time + static_cast<float>(frame) / options.rate);
+        stats = drawFinished(renderer, document, view);  // settles what FLIP asks for
+        writePicture(options.frames > 1 ? frameFile(options.output, frame) : options.output,
+                     renderer, view.size);
+    }
+    return stats;
 }
 
 // Styles and shells by name: "ribbon", or "ribbon/shells" for overcoat and undercoat.
@@ -165,6 +191,7 @@ OrderedJson jsonOf(const Options& options, const Document& document, const View&
                    const FrameStats& stats, const std::vector<double>& times,
                    const Renderer& renderer) {
     return {{"output", options.output},
+            {"frames", options.frames},
             {"width", view.size.x},
             {"height", view.size.y},
             {"technique", techniqueOf(view, document.fur)},
@@ -185,6 +212,7 @@ OrderedJson jsonOf(const Options& options, const Document& document, const View&
             {"samples", stats.samples},
             {"inShells", {stats.inShells.x, stats.inShells.y}},
             {"layers", stats.layers},
+            {"shellShadows", view.shellShadows},
             {"textureBytes", stats.textureBytes},
             {"storedLayersBytes", storedLayersBytes(view)},
             {"msShellPass", 1e3 * stats.shellSeconds},
@@ -216,8 +244,9 @@ std::string textOf(const OrderedJson& result) {
 void render(const Options& options, bool json) {
     Document document = openInput(options.input);
     View view = viewOf(document, options);
-    if (!options.clip.empty()) view.posed = standing(document, options);
+    moveTo(view, document, options, options.time);
     if (options.technique == kReferenceTechnique) {
+        if (options.frames > 1) throw UsageError("render --frames: not of the reference");
         traceReference(document, view, options.trace, options.output, json);
         return;
     }
@@ -225,8 +254,7 @@ void render(const Options& options, bool json) {
         setParameter(document.fur, "both.style", options.technique);
     const HeadlessContext context;
     Renderer renderer;
-    FrameStats stats = drawFinished(renderer, document, view);  // settles what FLIP asks for
-    writePicture(options.output, renderer, view.size);
+    FrameStats stats = writeFrames(renderer, document, view, options);
     const std::vector<double> times = timeFrames(renderer, document, view, options.repeat);
     // Without the programs that the first frame makes.
     if (stats.shellSeconds > 0.0) stats.shellSeconds = renderer.draw(document, view).shellSeconds;
@@ -271,14 +299,26 @@ void addRender(CLI::App& app, bool& json) {
         ->type_name("N")
         ->capture_default_str()
         ->check(CLI::Validator(checkLayers, ""));
+    verb->add_flag("--shell-shadows", options->shellShadows,
+                   "Of shells: single hairs cast shadows on hair below them");
     addShellOptions(*verb, options->shells);
     verb->add_option("--clip", options->clip,
                      "Stand as in this animation, by name or number; see pelage info")
         ->type_name("NAME");
-    verb->add_option("--time", options->time, "Seconds from the start of the clip")
+    verb->add_option("--time", options->time,
+                     "Seconds from the start of the clip, and that the wind has blown")
         ->type_name("T")
         ->capture_default_str()
         ->check(between(-1e6f, 1e6f));
+    verb->add_option("--frames", options->frames,
+                     "Pictures of a sequence from that time on: OUT-0001.png and so on")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 9999));
+    verb->add_option("--rate", options->rate, "Pictures of a sequence for each second")
+        ->type_name("HZ")
+        ->capture_default_str()
+        ->check(between(0.001f, 1000.0f));
     verb->add_option("--distance", options->distance,
                      "m from the eye to the middle of the model; without it the model is framed")
         ->type_name("D")

@@ -37,6 +37,8 @@ void drawTechniques(const Ui& ui, ViewOptions& view, vec2 inShells) {
                        .format = view.layers == 0 ? "automatic" : "%.0f",
                        .help = "Of shells, at least; 0 takes as many as the picture needs."}))
         view.layers = static_cast<int>(*layers + 0.5f);
+    toggleRow(ui, "Shell shadows", &view.shellShadows,
+              "Single hairs in shells cast shadows on hair below them.");
     if (view.over == DrawnAs::automatic || view.under == DrawnAs::automatic)
         ImGui::TextDisabled("in shells: %.0f %% of overcoat, %.0f %% of undercoat",
                             100.0 * static_cast<double>(inShells.x),

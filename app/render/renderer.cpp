@@ -44,6 +44,7 @@ struct PictureKey {
     Shells shells;
     DrawnAs over, under;
     uint layers;
+    bool shellShadows;
     std::array<ShellSource, 2> maps;
     uint segments, sides;
     float tolerance, seconds;
@@ -64,6 +65,7 @@ struct PictureKey {
           over(v.over),
           under(v.under),
           layers(v.layers),
+          shellShadows(v.shellShadows),
           maps(v.maps),
           segments(v.segments),
           sides(v.sides),

@@ -41,6 +41,7 @@ struct View {
     Shells shells = Shells::none;       // overlays are shown on single hairs in any case
     DrawnAs over = DrawnAs::shells, under = DrawnAs::shells;  // where there are shells
     uint layers = 0;                  // of shells, [0, 256]; 0 = as many as they need
+    bool shellShadows = false;        // of single hairs in shells on hair below them
     std::array<ShellSource, 2> maps;  // what shells of over- and undercoat are cut from
     Detail detail;                    // how many hairs, and how fine
     bool coarsens = true;             // the skin too, where edges may be off; half as far

@@ -3,32 +3,21 @@
 #include "app/render/shell_pass.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "app/render/shell_data.h"
+#include "app/render/shell_tile.h"
 #include "app/render/surface.h"
-#include "core/shell_map.h"
 
 namespace pelage {
 namespace {
 
-// As in shaders/shell_hair.glsl.
-constexpr uint kTileHairs = 1024, kTileSide = 256, kTileLevels = 9;
-constexpr float kTileExcess = 1.45f;
-
 constexpr uint kFirstLayers = 32;  // where the skin is drawn once for each and none are asked for
 
-uint packed(const RootMap& map, uint number) {
-    const auto place = [](float x) { return std::min(static_cast<uint>(x * 2048.0f), 2047u); };
-    return place(map.roots[number].x) | place(map.roots[number].y) << 11 | number << 22;
-}
-
-// m, side of the tile where so many hairs of a coat stand on a square metre.
-float periodOf(float perArea) {
-    return std::sqrt(static_cast<float>(kTileHairs) / std::max(kTileExcess * perArea, 1e-12f));
+std::vector<std::string> definesFor(bool shadows) {
+    return shadows ? std::vector<std::string>{"SHADOWS"} : std::vector<std::string>{};
 }
 
 }  // namespace
@@ -39,19 +28,7 @@ ShellPass::ShellPass()
       show_(Program::draw("screen.vert", "shell_show.frag")),
       seenOut_(Program::draw("screen.vert", "shell_seen.frag")),
       cornerArray_(cornerArray()) {
-    makeTile();
-}
-
-// Each coarser level has the first half of the roots, which are as evenly spread.
-void ShellPass::makeTile() {
-    std::vector<uvec2> texels;
-    for (uint level = 0; level < kTileLevels; ++level) {
-        const int side = static_cast<int>(kTileSide >> (level / 2));
-        const RootMap map = rootMap({.side = side, .hairs = kTileHairs >> level});
-        for (const RootTexel& texel : map.texels)
-            texels.emplace_back(packed(map, texel.nearest), packed(map, texel.next));
-    }
-    tile_.upload(std::span<const uvec2>(texels));
+    tile_.upload(std::span<const uvec2>(tileTexels()));
     tileRows_ = gl::makeTexture(tile_, GL_RG32UI);
 }
 
@@ -119,22 +96,27 @@ void ShellPass::march(const Program& program, const Peel& peel, const gl::Textur
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
+const ShellPass::March& ShellPass::marchFor(const View& view) {
+    const bool plain = view.shells == Shells::plain;
+    std::optional<March>& made = (plain ? plain_ : swept_)[view.shellShadows];
+    if (made) return *made;
+    std::vector<std::string> defines = definesFor(view.shellShadows);
+    if (plain) defines.emplace_back("PLAIN");
+    Program fromOver = Program::draw("screen.vert", "shell.frag", defines);
+    defines.emplace_back("SKIN");
+    made = March{std::move(fromOver), Program::draw("screen.vert", "shell.frag", defines)};
+    return *made;
+}
+
 // What is found is marched at once, a pixel at a time and however small its triangle: first below
 // the surface over the fur that is nearest, then below what comes next behind it, as long as
 // anything does. Then from the skin where that did not look for its fur: where the eye is in the
 // fur, and in hollows, whose outer surface lies in other parts of the body.
 void ShellPass::drawMarched(const Mirror& mirror, const Mirror::Surface& skin, const Canvas& canvas,
-                            bool plain) {
+                            const View& view) {
     constexpr std::size_t kMostPeels = 4;
     resize(canvas.size);
-    std::optional<March>& made = plain ? plain_ : swept_;
-    if (!made) {
-        std::vector<std::string> defines;
-        if (plain) defines.emplace_back("PLAIN");
-        Program fromOver = Program::draw("screen.vert", "shell.frag", defines);
-        defines.emplace_back("SKIN");
-        made = March{std::move(fromOver), Program::draw("screen.vert", "shell.frag", defines)};
-    }
+    const March& programs = marchFor(view);
     const uint none = 0;
     const float nearest = 0.0f;
     glClearTexImage(seen_.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
@@ -155,11 +137,11 @@ void ShellPass::drawMarched(const Mirror& mirror, const Mirror::Surface& skin, c
         glEndQuery(GL_ANY_SAMPLES_PASSED);
         if (i > 0) glEndConditionalRender();
         glBeginConditionalRender(query, GL_QUERY_WAIT);
-        march(made->fromOver, peel, ground_.furIndices(), canvas);
+        march(programs.fromOver, peel, ground_.furIndices(), canvas);
         glEndConditionalRender();
     }
     leaveOutSeen();
-    march(made->fromSkin, visible_, skinIndices, canvas);
+    march(programs.fromSkin, visible_, skinIndices, canvas);
 }
 
 void ShellPass::leaveOutSeen() const {
@@ -199,14 +181,16 @@ void ShellPass::drawMap(const Mirror& mirror, const ShellSource& source, uint co
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-void ShellPass::drawLayers(const Mirror& mirror, uint coats) {
+void ShellPass::drawLayers(const Mirror& mirror, uint coats, bool shadows) {
     if (layers_ == 0) layers_ = kFirstLayers;
-    if (!layer_) layer_ = Program::draw("shell_layer.vert", "shell_layer.frag");
+    std::optional<Program>& program = layer_[shadows];
+    if (!program)
+        program = Program::draw("shell_layer.vert", "shell_layer.frag", definesFor(shadows));
     for (uint coat = 0; coat < 2; ++coat) {
         if (!(coats >> coat & 1u)) continue;
-        glProgramUniform1ui(layer_->name(), 3, coat);
+        glProgramUniform1ui(program->name(), 3, coat);
         for (uint k = 0; k < layers_; ++k)
-            drawLayer(mirror, *layer_,
+            drawLayer(mirror, *program,
                       (static_cast<float>(k) + 0.5f) / static_cast<float>(layers_));
     }
 }
@@ -216,10 +200,12 @@ void ShellPass::draw(Mirror& mirror, const Mirror::Surface& skin, const Document
                      const Canvas& canvas) {
     const Fur& fur = document.fur;
     ShellData data;
-    data.over = {periodOf(fur.share * frame.hairsPerArea), frame.overWidth, fur.over.taper,
+    data.over = {tilePeriod(fur.share * frame.hairsPerArea), frame.overWidth, fur.over.taper,
                  fur.over.endRandomness * fur.over.relativeLength};
-    data.under = {periodOf((1.0f - fur.share) * frame.hairsPerArea), frame.underWidth,
+    data.under = {tilePeriod((1.0f - fur.share) * frame.hairsPerArea), frame.underWidth,
                   fur.under.taper, fur.under.endRandomness * fur.under.relativeLength};
+    // Layers move as a whole.
+    if (view.shells == Shells::instanced) data.over.stray = data.under.stray = 0.0f;
     data.coats = frame.coats & ((fur.share > 0.0f ? 1u : 0u) | (fur.share < 1.0f ? 2u : 0u));
     data.layers = view.layers;
     data.leastWidth = view.detail.rule == Detail::Rule::all ? 0.0f : 1.0f;
@@ -244,9 +230,9 @@ void ShellPass::draw(Mirror& mirror, const Mirror::Surface& skin, const Document
         layers_ = view.layers;
         block_.write(0, std::span<const ShellData>(&data, 1));
         if (view.shells == Shells::instanced)
-            drawLayers(mirror, data.coats);
+            drawLayers(mirror, data.coats, view.shellShadows);
         else
-            drawMarched(mirror, skin, canvas, view.shells == Shells::plain);
+            drawMarched(mirror, skin, canvas, view);
     }
     // A photograph shows all of a fur.
     if (mapped == 3u && view.maps[0] == view.maps[1] && view.maps[0].texture->photo) mapped = 1u;

@@ -31,7 +31,6 @@ public:
     std::size_t bytes() const;
 
 private:
-    void makeTile();
     struct Peel {  // the surface over the fur that comes next behind each pixel
         gl::Texture found, depth;
         gl::Framebuffer target, march;
@@ -43,19 +42,22 @@ private:
     void march(const Program& program, const Peel& peel, const gl::Texture& indices,
                const Canvas& canvas) const;
     void drawMarched(const Mirror& mirror, const Mirror::Surface& skin, const Canvas& canvas,
-                     bool plain);
+                     const View& view);
     // From pictures, layer by layer in any case.
     void drawMap(const Mirror& mirror, const ShellSource& source, uint coat);
     void drawLayer(const Mirror& mirror, const Program& program, float t) const;
-    void drawLayers(const Mirror& mirror, uint coats);
+    void drawLayers(const Mirror& mirror, uint coats, bool shadows);
 
     struct March {
         Program fromOver, fromSkin;
     };
+    const March& marchFor(const View& view);
+
     ShellGround ground_;
     Program over_, skin_, show_, seenOut_;
-    std::optional<Program> layer_, map_;  // made when they are first needed, as is a march
-    std::optional<March> swept_, plain_;
+    // Made when they are first needed; a layer and marches without shadows and with them.
+    std::optional<Program> layer_[2], map_;
+    std::optional<March> swept_[2], plain_[2];
     gl::VertexArray cornerArray_;
     gl::Buffer tile_, block_, mapBlock_;
     ivec2 size_{0};

@@ -33,8 +33,14 @@ if [ -f "$meshes/suzanne.obj" ]; then
         -geometry 200x200+2+2 -background white -quality 90 paper.jpg
 fi
 
+# The field in shells, in the wind.
+"$program" render --size 1000x560 --samples 64 --repeat 1 --field 60000 --technique shells \
+    --shell-shadows --time 1 --yaw 20 --pitch 22 --distance 1.35 -o "$sheet/field.png" >"$sheet/log"
+convert "$sheet/field.png" -quality 90 field.jpg
+
 # Every preset on the animal.
-names=(default doormat fox "house cat short hair" mink "monkey 8" "monkey 9" plush rabbit "wolf winter coat")
+names=(default doormat fox grass "house cat short hair" meadow mink "monkey 8" "monkey 9" plush rabbit
+    "wolf winter coat")
 font=$(find /usr/share/fonts -iname Roboto-Regular.ttf | head -1)
 files=()
 for name in "${names[@]}"; do
@@ -42,7 +48,7 @@ for name in "${names[@]}"; do
     "$program" render --size 480x400 --samples 32 --repeat 1 --animal 60000 --yaw 62 --pitch 12 \
         --distance 1.9 --preset "$name" -o "$sheet/$name.png" >"$sheet/log"
 done
-montage ${font:+-font "$font"} -label '%t' "${files[@]}" -tile 5x -geometry 240x200+2+2 \
+montage ${font:+-font "$font"} -label '%t' "${files[@]}" -tile 6x -geometry 240x200+2+2 \
     -background white -quality 85 presets.jpg
 
 # The same fur as strands and in shells: close, as framed, and far.

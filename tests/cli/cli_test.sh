@@ -177,10 +177,10 @@ bad 2 '--set over\.fluffiness=3: there is no parameter' export tetra.obj --set o
 bad 2 '--set stiff: expected NAME=VALUE' export tetra.obj --set stiff -o never.glb
 bad 2 '--preset: there is no preset "poodle"' export tetra.obj --preset poodle -o never.glb
 bad 2 'export .*--hairs' export tetra.obj --hairs 5000001 -o never.glb
-bad 2 'expected a FILE or --animal N' export -o never.glb
+bad 2 'expected a FILE, --animal N or --field N' export -o never.glb
 bad 2 'export .*"tetra\.obj" does not end in \.glb' export tetra.obj -o tetra.obj
 bad 2 'render .*"r\.jpg" does not end in \.png' render tetra.obj -o r.jpg
-bad 2 'expected a FILE or --animal N' export tetra.obj --animal 2000 -o never.glb
+bad 2 'expected a FILE, --animal N or --field N' export tetra.obj --animal 2000 -o never.glb
 bad 2 'export .*--output is required' export tetra.obj
 [ ! -e never.glb ] || fail "a refused export wrote a file"
 
@@ -245,6 +245,8 @@ json 'j.detail === "flip:0.1" && j.flip > 0 && j.flip <= 0.1 && j.deviation > 0'
 json 'j.technique === "shells" && j.layers === 12' 'j.textureBytes > 0 && j.msShellPass > 0' \
     -- render --animal 2000 --hairs 3000 --size 64x64 --samples 1 --repeat 1 --technique shells \
     --layers 12 -o s.png --json
+json 'j.shellShadows' -- render --field 2000 --size 64x64 --samples 1 --repeat 1 --technique shells \
+    --shell-shadows -o s.png --json
 good render tetra.obj --size 32x32 --technique shells-instanced --layers 3 --samples 1 -o s.png
 grep -q '^wrote s\.png: 32x32, in shells, ' out.txt || fail "render: $(cat out.txt)"
 json 'j.technique === "polyline/shells"' 'j.hairsDrawn > 0 && j.textureBytes > 0 && j.msShellPass > 0' \
@@ -266,6 +268,15 @@ good render --animal 2000 --hairs 500 --size 48x32 --technique reference --spp 2
 [ "$(identify -format %wx%h reference.png)" = 48x32 ] || fail "the reference is of a wrong size"
 grep -qE '^wrote reference\.png: 48x32, [0-9]+ hairs of [0-9]+ segments, 2 samples, noise ' out.txt ||
     fail "render: $(cat out.txt)"
+# A sequence in the wind: its pictures are those of their times, and differ.
+for technique in ribbon shells; do
+    json 'j.frames === 2' -- render --field 2000 --hairs 5000 --size 48x48 --samples 1 --repeat 1 \
+        --technique $technique --time 1 --frames 2 --rate 2 -o wind.png --json
+    good render --field 2000 --hairs 5000 --size 48x48 --samples 1 --repeat 1 \
+        --technique $technique --time 1.5 -o later.png
+    cmp -s wind-0002.png later.png || fail "a sequence in $technique is not that of its times"
+    if cmp -s wind-0001.png wind-0002.png; then fail "no wind in $technique"; fi
+done
 good render --animal 2000 --hairs 3000 --size 64x64 --samples 2 -o one.png
 good render --animal 2000 --hairs 3000 --size 64x64 --samples 2 -o two.png
 cmp -s one.png two.png || fail "the same picture twice differs"
@@ -293,6 +304,10 @@ for size in 0x8 8x 8 8x8x8 x8 -1x8 8x9000 '8 x8' ''; do
 done
 bad 2 'render .*--technique' render tetra.obj --technique magic -o never.png
 bad 2 'render .*--samples' render tetra.obj --samples 0 -o never.png
+bad 2 'render .*--frames' render tetra.obj --frames 0 -o never.png
+bad 2 'render --frames: not of the reference' \
+    render tetra.obj --frames 2 --technique reference -o never.png
+bad 2 'render .*--field' render --field 1999 -o never.png
 bad 2 'render .*--layers' render tetra.obj --technique shells --layers 257 -o never.png
 bad 2 'render .*--over' render tetra.obj --over shells-plain -o never.png
 bad 2 'render .*--spp' render tetra.obj --technique reference --spp 0 -o never.png

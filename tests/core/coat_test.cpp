@@ -335,8 +335,9 @@ TEST(Presets, AreInTheOrderOfTheirNamesAndAllThere) {
         }
         names.push_back(preset.name);
     }
-    for (const char* name : {"default", "monkey 8", "monkey 9", "house cat short hair", "fox",
-                             "mink", "wolf winter coat", "plush", "rabbit", "doormat"}) {
+    for (const char* name :
+         {"default", "monkey 8", "monkey 9", "house cat short hair", "fox", "mink",
+          "wolf winter coat", "plush", "rabbit", "doormat", "grass", "meadow"}) {
         EXPECT_EQ(presetNamed(name).name, name);
     }
 }

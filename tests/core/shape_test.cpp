@@ -209,6 +209,23 @@ TEST(Shape, WindAndGravityTogetherPullNoHarderThanGravityAlone) {
     EXPECT_EQ(pullAt(fur, vec3(1, 2, 3), 9.0f), 0.7f * fur.gravityDirection);
 }
 
+// Of hair by the paper's rule; the length stays, so that a strong wind pulls tips down as well.
+TEST(Shape, WindMovesAPointOfAHairByTheSquareOfItsWayToTheTip) {
+    const vec3 up(0.0f, 1.0f, 0.0f);
+    Coat coat = defaultFur().over;
+    coat.stiffness = 0.3f;
+    coat.endRandomness = 0.0f;
+    const auto hair = [&](float wind) {
+        return bendStrand(vec3(0.0f), up, vec3(0.0f), 0.1f, coat, 1u, vec3(wind, 0.0f, 0.0f));
+    };
+    const Strand calm = hair(0.1f), blown = hair(0.15f);
+    const auto moved = [&](float t) { return strandPoint(blown, t) - strandPoint(calm, t); };
+    EXPECT_EQ(moved(0.0f), vec3(0.0f));
+    EXPECT_GT(moved(1.0f).x, 0.003f);
+    for (const float t : {0.25f, 0.5f, 0.75f})
+        EXPECT_NEAR(moved(t).x / moved(1.0f).x, t * t, 0.02f) << t;
+}
+
 TEST(Shape, GustsAreSmoothAndTravel) {
     Fur fur = defaultFur();
     fur.gravity = 0.0f;

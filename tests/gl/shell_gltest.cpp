@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "core/flip.h"
-#include "core/shell_map.h"
 #include "tests/figures.h"
 #include "tests/gl/furry_scenes.h"
+#include "tests/gl/tile_roots.h"
 
 namespace pelage {
 namespace {
@@ -67,30 +67,6 @@ double mean(const std::vector<float>& values) {
     double sum = 0.0;
     for (const float value : values) sum += static_cast<double>(value);
     return sum / static_cast<double>(values.size());
-}
-
-// The roots of the tile around the middle of the patch, from what shaders/shell_hair.glsl says of
-// the axis y, m.
-std::vector<vec2> rootsAround(float hairs) {
-    const float period = std::sqrt(1024.0f / (1.45f * hairs));
-    const RootMap map = rootMap({.side = 1, .hairs = 1024});
-    constexpr uint kStream = 4;
-    std::vector<vec2> roots;
-    const int reach = static_cast<int>(0.5f / period) + 2;
-    for (int i = -reach; i <= reach; ++i)
-        for (int j = -reach; j <= reach; ++j)
-            for (uint k = 0; k < 1024; ++k) {
-                const glm::uvec2 at(map.roots[k] * 2048.0f);
-                const float rank = 0.6180340f * static_cast<float>(k) +
-                                   glm::dot(vec2(i, j), vec2(0.7548777f, 0.5698403f));
-                const float chance = 1021.7f * (rank - std::floor(rank));
-                if (!(chance - std::floor(chance) < 1.0f / 1.45f)) continue;
-                const vec2 place = (vec2(at) + 0.5f) / 2048.0f + vec2(i, j) -
-                                   static_cast<float>(kStream) * vec2(0.7548777f, 0.5698403f);
-                const vec2 zx = period * place;
-                if (std::abs(zx.x) < 0.5f && std::abs(zx.y) < 0.5f) roots.emplace_back(zx.y, zx.x);
-            }
-    return roots;
 }
 
 // Share of each pixel that those hairs cover: cones are seen as trapezoids, and where the skin cuts
@@ -150,7 +126,7 @@ TEST(Shells, SixteenSweptLayersShowTheHairsThemselves) {
     for (const auto& [degrees, lean] : {std::pair(45.0f, 0.0f), {70.0f, 0.0f}, {70.0f, 0.4f}}) {
         const View view = slanted(degrees, 16);
         const std::vector<float> shells = covered(renderer, patch(kHairs, 1.0f, lean), view);
-        const std::vector<float> hairs = explicitly(rootsAround(kHairs), 1.0f, lean, view);
+        const std::vector<float> hairs = explicitly(test::rootsAround(kHairs), 1.0f, lean, view);
         const double error = test::distanceOf(shells, hairs);
         const double flipped = meanFlip(shells, hairs), bias = mean(shells) - mean(hairs);
         std::printf("%.0f degrees, lean %.1f: RMSE %.4f, FLIP %.4f, bias %+.4f of %.3f\n",

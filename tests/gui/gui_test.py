@@ -490,7 +490,7 @@ class EditorInAWindow(WindowTest):
         self.assertTrue(mine["thumbnail"].startswith("data:image/jpeg;base64,"))
 
         # The list: one's own at the top, the program's below it.
-        mink, own = (995, 480), (898, 220)
+        mink, own = (898, 604), (898, 220)
         editor.click((1050, 133))
         editor.expect("pictures")
         editor.settle()
