@@ -83,6 +83,9 @@ Hair hairOf(vec3 a, vec3 b, vec3 n) {
 float heightAt(Hair h, float t) { return max(0.0, t * ((1.0 - t) * h.za + t * h.zb)); }
 vec3 asideAt(Hair h, float t) { return t * ((1.0 - t) * h.a + t * h.b); }
 
+// Where it is highest. Hair that hangs is so before its tip; what is beyond comes in no order.
+float peakOf(Hair h) { return h.za > 2.0 * h.zb ? 0.5 * h.za / (h.za - h.zb) : 1.0; }
+
 // How hairs lean apart: together with their neighbors, so that none has to be looked for.
 struct Stray {
     float reach;      // m, at the tip
@@ -122,8 +125,7 @@ float stepsFor(Ray ray, ShellCoat coat, float highest, float spacings) {
 Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, Ground g, vec3 ahead, float pixels,
           Hit hit) {
     vec3 n = g.normal;
-    // Hair that hangs is highest before its tip; what is beyond comes in no order.
-    float peak = hair.za > 2.0 * hair.zb ? 0.5 * hair.za / (hair.za - hair.zb) : 1.0;
+    float peak = peakOf(hair);
     float highest = heightAt(hair, peak);
     Level level = levelFor(pixels);
     Stray stray = strayOf(coat, g.furLength);
@@ -255,6 +257,12 @@ void colorAtRoot(inout Ground g, Hit hit) {
     g.bare = bareColor(f, share);
 }
 
+#ifdef MAP
+#include "shell_map.glsl"
+#include "shell_map_shade.glsl"
+#include "shell_map_march.glsl"
+#endif
+
 void main() {
     Ground g = groundBelow(faceOf(texelFetch(found, ivec2(gl_FragCoord.xy), 0).xy));
     Ray ray;
@@ -279,6 +287,9 @@ void main() {
 #endif
     ray.far = 1.0 + ray.bend * ray.top;
 
+#ifdef MAP
+    showMap(ray, below, ahead, back, g);
+#else
     float pixelsPerMetre = pixelsPerMetreAt(g.outer);
     Hit hit;
     hit.way = 1e30;
@@ -295,4 +306,5 @@ void main() {
     color = hits ? vec4(radianceOf(hit, g), 1.0) : vec4(0.5);
     vec4 clip = frame.viewProjection * vec4(g.outer + (back - hit.way) * toEye(g.outer), 1.0);
     depth = hits ? clamp(0.5 + 0.5 * clip.z / clip.w, 0.0, 1.0) : 1.0;
+#endif
 }

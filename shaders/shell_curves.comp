@@ -61,5 +61,5 @@ void main() {
         density > 0.0 ? min(density, 1.0) : 0.0, turned(over.a, q), furVertices[v].furLength,
         turned(over.b, q), bend.xx, turned(under.a, q), bend.xy, turned(under.b, q), bend.xz,
         turned(over.across, q), bend.yy, turned(under.across, q), bend.yz, rest.position, bend.zz,
-        furVertices[v].tint, 0u, q);
+        furVertices[v].tint, packedDirection(turned(furVertices[v].direction, q)), q);
 }

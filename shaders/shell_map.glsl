@@ -16,8 +16,9 @@ layout(std140, binding = 3) uniform ShellMapBlock {
     uint mapPad0;
     float mapCoverage; // of the skin, of heights: at the root,
     float mapTaper;    // and how far hairs thin out towards the tip
+    float mapGap;      // between two layers, of what fills the coat
 };
-layout(binding = 2) uniform sampler2D shellMap;
+layout(binding = 12) uniform sampler2D shellMap;
 
 const float kWave = 0.12;         // of the walls, in cells
 const float kPhotoCells = 2.2;    // on the shorter side of a photograph: turned cells fit into it

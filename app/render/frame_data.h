@@ -55,7 +55,7 @@ enum Storage : unsigned {
     strips = 14,
     rodTable = 15
 };
-enum Texture : unsigned { baseColors = 0, skinDepth = 1, shellPicture = 2 };
+enum Texture : unsigned { baseColors = 0, skinDepth = 1, shellPicture = 12 };
 }  // namespace binding
 
 }  // namespace pelage

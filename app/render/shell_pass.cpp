@@ -208,13 +208,13 @@ void ShellPass::march(const Program& program, const Peel& peel, const Canvas& ca
 // the surface over the fur that is nearest, then below what comes next behind it, as long as
 // anything does. Then from the skin where that did not look for its fur: where the eye is in the
 // fur, and in hollows, whose outer surface lies in other parts of the body.
-void ShellPass::drawMarched(const Mirror& mirror, const Canvas& canvas, bool plain) {
+void ShellPass::drawMarched(const Mirror& mirror, const Canvas& canvas,
+                            std::optional<March>& made, const char* define) {
     constexpr std::size_t kMostPeels = 4;
     resize(canvas.size);
-    std::optional<March>& made = plain ? plain_ : swept_;
     if (!made) {
         std::vector<std::string> defines;
-        if (plain) defines.emplace_back("PLAIN");
+        if (*define != '\0') defines.emplace_back(define);
         Program fromOver = Program::draw("screen.vert", "shell.frag", defines);
         defines.emplace_back("SKIN");
         made = March{std::move(fromOver), Program::draw("screen.vert", "shell.frag", defines)};
@@ -262,14 +262,17 @@ void ShellPass::drawLayer(const Mirror& mirror, const Program& program, float t)
                 [&](const Mirror::Part&) -> const Program& { return program; });
 }
 
-// The last layer lies on the skin, and is to be seen there.
-void ShellPass::drawMap(const Mirror& mirror, const ShellSource& source, uint coat) {
+void ShellPass::usePicture(const ShellSource& source) {
     const ShellMapData data = mapData(source);
     mapBlock_.upload(std::span<const ShellMapData>(&data, 1));
     mapBlock_.bindUniform(binding::shellMap);
     glBindTextureUnit(binding::shellPicture, pictures_.textureOf(source.texture).name());
     layers_ = std::max(layers_, source.layers);
-    if (!map_) map_ = Program::draw("shell_layer.vert", "shell_map.frag", {"MAP"});
+}
+
+// The last layer lies on the skin, and is to be seen there.
+void ShellPass::drawMap(const Mirror& mirror, const ShellSource& source, uint coat) {
+    if (!map_) map_ = Program::draw("shell_layer.vert", "shell_map.frag");
     glProgramUniform1ui(map_->name(), 3, coat);
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(-1.0f, -1.0f);
@@ -331,14 +334,24 @@ void ShellPass::draw(const Mirror& mirror, const Document& document, const View&
         block_.write(0, std::span<const ShellData>(&data, 1));
         if (view.shells == Shells::instanced)
             drawLayers(mirror, data.coats);
+        else if (view.shells == Shells::plain)
+            drawMarched(mirror, canvas, plain_, "PLAIN");
         else
-            drawMarched(mirror, canvas, view.shells == Shells::plain);
+            drawMarched(mirror, canvas, swept_, "");
     }
     // A photograph shows all of a fur.
     if (mapped == 3u && view.maps[0] == view.maps[1] && view.maps[0].texture->photo) mapped = 1u;
     glBindFramebuffer(GL_FRAMEBUFFER, canvas.target.name());
-    for (uint coat = 0; coat < 2; ++coat)
-        if (mapped >> coat & 1u) drawMap(mirror, view.maps[coat], coat);
+    for (uint coat = 0; coat < 2; ++coat) {
+        if (!(mapped >> coat & 1u)) continue;
+        usePicture(view.maps[coat]);
+        data.coats = 1u << coat;
+        block_.write(0, std::span<const ShellData>(&data, 1));
+        if (view.shells == Shells::instanced)
+            drawMap(mirror, view.maps[coat], coat);
+        else
+            drawMarched(mirror, canvas, mapMarch_, "MAP");
+    }
     textureBytes_ += pictures_.keep(view.maps);
 }
 

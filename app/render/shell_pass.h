@@ -51,18 +51,20 @@ private:
               const Peel& before) const;
     void leaveOutSeen() const;
     void march(const Program& program, const Peel& peel, const Canvas& canvas) const;
-    void drawMarched(const Mirror& mirror, const Canvas& canvas, bool plain);
-    // From pictures, layer by layer in any case.
+    struct March {
+        Program fromOver, fromSkin;
+    };
+    // By shell.frag with this defined, unless it is empty.
+    void drawMarched(const Mirror& mirror, const Canvas& canvas, std::optional<March>& made,
+                     const char* define);
+    void usePicture(const ShellSource& source);
     void drawMap(const Mirror& mirror, const ShellSource& source, uint coat);
     void drawLayer(const Mirror& mirror, const Program& program, float t) const;
     void drawLayers(const Mirror& mirror, uint coats);
 
-    struct March {
-        Program fromOver, fromSkin;
-    };
     Program curves_, rodCurves_, over_, skin_, show_, seenOut_;
     std::optional<Program> layer_, map_;  // made when they are first needed, as is a march
-    std::optional<March> swept_, plain_;
+    std::optional<March> swept_, plain_, mapMarch_;
     gl::VertexArray layerArray_, surfaceArray_;
     gl::Buffer tile_, block_, mapBlock_, vertices_, corners_, indices_, rest_, curvatures_,
         rodTable_;

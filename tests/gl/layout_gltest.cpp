@@ -277,7 +277,7 @@ TEST(Layout, BuffersOfTheShellPassLieAsTheDriverReadsThem) {
           FIELD(ShellVertex, overAcross),  FIELD(ShellVertex, bendYY),
           FIELD(ShellVertex, underAcross), FIELD(ShellVertex, bendYZ),
           FIELD(ShellVertex, place),       FIELD(ShellVertex, bendZZ),
-          FIELD(ShellVertex, tint),        FIELD(ShellVertex, pad0),
+          FIELD(ShellVertex, tint),        FIELD(ShellVertex, combed),
           FIELD(ShellVertex, turn)}},
         {"ShellCorners",
          "shellCorners",
