@@ -22,7 +22,9 @@ struct ShellChoice {
 
 // Makes what the recipe asks for, anew only where it differs. Throws as shellPicture does; the
 // choice is then what it was.
-void choose(ShellChoice& choice, const ShellRecipe& recipe);
+void choose(ShellChoice& choice, const ShellRecipe& recipe, Progress* progress = nullptr);
+// Whether that reads a file, which may take long.
+bool readsFile(const ShellChoice& choice, const ShellRecipe& recipe);
 
 inline constexpr int kPreviewSide = 64;  // pixels of a layer's picture
 

@@ -125,8 +125,6 @@ ivec2 headerSize(std::span<const std::byte> picture) {
     return size;
 }
 
-std::string sizeText(ivec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y); }
-
 // Why no picture could be read from a file.
 std::string faultOf(std::span<const std::byte> file) {
     const std::string bytes = std::to_string(file.size()) + " bytes";
@@ -143,6 +141,7 @@ std::string faultOf(std::span<const std::byte> file) {
     if (isPng(file) ? isCutPng(file) : isCutJpeg(file))
         return "ends after " + bytes + ", in the middle of the picture";
     const ivec2 size = headerSize(file);
+    if (size == ivec2(0)) return "is damaged: its " + bytes + " have no header of a picture";
     if (std::max(size.x, size.y) > kLargestSide)
         return "has " + sizeText(size) + " pixels, of which a side may have " +
                std::to_string(kLargestSide);
@@ -155,6 +154,8 @@ unsigned char byteOf(float share) {
 }
 
 }  // namespace
+
+std::string sizeText(ivec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y); }
 
 ivec2 decodedSize(std::span<const std::byte> picture, int largestSide) {
     const ivec2 size = headerSize(picture);

@@ -13,6 +13,9 @@
 
 namespace pelage {
 
+// "640x480"
+std::string sizeText(ivec2 size);
+
 // Pixels as the header of the picture says; 0 where it is not one that is decoded: of a side over
 // `largestSide`, or larger than its bytes can tell.
 ivec2 decodedSize(std::span<const std::byte> picture, int largestSide);

@@ -233,6 +233,8 @@ void drawShells(App& app) {
                             static_cast<double>(choice.picture.texture->levels[0].size() *
                                                 static_cast<std::size_t>(recipe.photo.layers)) /
                                 256.0);
+        const std::string halved = halvedText(*choice.picture.texture);
+        if (!halved.empty()) ImGui::TextWrapped("%s", halved.c_str());
     }
     ImGui::PopID();
     if (!(recipe == choice.recipe)) chooseShells(app, recipe);

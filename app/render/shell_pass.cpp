@@ -208,8 +208,8 @@ void ShellPass::march(const Program& program, const Peel& peel, const Canvas& ca
 // the surface over the fur that is nearest, then below what comes next behind it, as long as
 // anything does. Then from the skin where that did not look for its fur: where the eye is in the
 // fur, and in hollows, whose outer surface lies in other parts of the body.
-void ShellPass::drawMarched(const Mirror& mirror, const Canvas& canvas,
-                            std::optional<March>& made, const char* define) {
+void ShellPass::drawMarched(const Mirror& mirror, const Canvas& canvas, std::optional<March>& made,
+                            const char* define) {
     constexpr std::size_t kMostPeels = 4;
     resize(canvas.size);
     if (!made) {

@@ -320,7 +320,8 @@ TEST(Layout, BuffersOfTheShellPassLieAsTheDriverReadsThem) {
                     Field{"mapLayers", offsetof(ShellMapData, layers)},
                     Field{"mapPad0", offsetof(ShellMapData, pad0)},
                     Field{"mapCoverage", offsetof(ShellMapData, coverage)},
-                    Field{"mapTaper", offsetof(ShellMapData, taper)}});
+                    Field{"mapTaper", offsetof(ShellMapData, taper)},
+                    Field{"mapGap", offsetof(ShellMapData, gap)}});
 }
 
 }  // namespace
