@@ -38,9 +38,10 @@ ShellTextures texturesOf(ShellChoice& choice);
 
 // Has to go before the OpenGL context does.
 struct ShellChoices {
-    std::array<ShellChoice, 2> coats;  // over, under
-    int shown = 0;                     // in the panel: both coats, over, under
-    ShellRecipe::From asked{};         // while a file is being looked for
+    std::array<ShellChoice, 2> coats;        // over, under
+    int shown = 0;                           // in the panel: both coats, over, under
+    std::shared_ptr<ShellPreview> before{};  // of what was replaced: this frame may still show it
+    ShellRecipe::From asked{};               // while a file is being looked for
 };
 
 }  // namespace pelage

@@ -18,6 +18,7 @@ const char* nameOf(ShellRecipe::From from) {
 void adopt(App& app, ShellChoice choice, int shown) {
     ShellChoices& shells = app.shells;
     ShellChoice& first = shells.coats[shown == 2 ? 1 : 0];
+    shells.before = first.preview;
     first = std::move(choice);
     if (shown == 0) shells.coats[1] = first;
     app.touched = true;
