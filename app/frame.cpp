@@ -73,7 +73,8 @@ void drawPicture(App& app, Renderer& renderer, FrameKeys& keys, double now, bool
         keys.changed = now;
     if (app.windBlows()) app.session.view.windSeconds += io.DeltaTime;
     keys.camera = app.session.camera;
-    const bool moving = now - keys.changed < kRest;
+    // However long this frame takes: another one comes after it.
+    const bool moving = keys.moving = now - keys.changed < kRest;
 
     const Viewport& viewport = app.viewport;
     View view = viewAtRest(app);

@@ -49,17 +49,22 @@ gl::Texture layerSheet(const PhotoLayers& layers, const Pixels& photo, ivec2 gri
 
 }  // namespace
 
-void choose(ShellChoice& choice, const ShellRecipe& recipe) {
+bool readsFile(const ShellChoice& choice, const ShellRecipe& recipe) {
+    return (recipe.from == ShellRecipe::From::photo || recipe.from == ShellRecipe::From::picture) &&
+           !samePicture(recipe, choice.recipe);
+}
+
+void choose(ShellChoice& choice, const ShellRecipe& recipe, Progress* progress) {
     ShellChoice other = choice;
     other.recipe = recipe;
     if (recipe.from == ShellRecipe::From::hairs)
         other.picture = {};
     else if (!samePicture(recipe, choice.recipe))
-        other.picture = shellPicture(recipe);
+        other.picture = shellPicture(recipe, progress);
     if (recipe.from != ShellRecipe::From::photo)
         other.layers = {};
     else if (!samePicture(recipe, choice.recipe) || !(recipe.photo == choice.recipe.photo))
-        other.layers = photoLayers(other.picture.photo, recipe.photo);
+        other.layers = photoLayers(other.picture, recipe.photo);
     else
         return void(choice = std::move(other));  // its pictures are still right
     other.preview = nullptr;

@@ -22,7 +22,9 @@ struct ShellChoice {
 
 // Makes what the recipe asks for, anew only where it differs. Throws as shellPicture does; the
 // choice is then what it was.
-void choose(ShellChoice& choice, const ShellRecipe& recipe);
+void choose(ShellChoice& choice, const ShellRecipe& recipe, Progress* progress = nullptr);
+// Whether that reads a file, which may take long.
+bool readsFile(const ShellChoice& choice, const ShellRecipe& recipe);
 
 inline constexpr int kPreviewSide = 64;  // pixels of a layer's picture
 
@@ -36,9 +38,10 @@ ShellTextures texturesOf(ShellChoice& choice);
 
 // Has to go before the OpenGL context does.
 struct ShellChoices {
-    std::array<ShellChoice, 2> coats;  // over, under
-    int shown = 0;                     // in the panel: both coats, over, under
-    ShellRecipe::From asked{};         // while a file is being looked for
+    std::array<ShellChoice, 2> coats;        // over, under
+    int shown = 0;                           // in the panel: both coats, over, under
+    std::shared_ptr<ShellPreview> before{};  // of what was replaced: this frame may still show it
+    ShellRecipe::From asked{};               // while a file is being looked for
 };
 
 }  // namespace pelage

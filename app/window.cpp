@@ -301,7 +301,6 @@ void loop(Window& window) {
         ImGui_ImplGlfw_NewFrame();
         ImGui::NewFrame();
         drawFrame(app, *window.renderer, window.keys, glfwGetTime(), window.events);
-        window.keys.moving = glfwGetTime() - window.keys.changed < kRest;
         ImGui::Render();
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glViewport(0, 0, width, height);

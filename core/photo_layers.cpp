@@ -126,14 +126,20 @@ double entropy(std::span<const std::size_t> counts) {
 }
 
 PhotoLayers photoLayers(const Image& photo, const PhotoOptions& options) {
+    return photoLayers(photo, options,
+                       options.twoColors ? colorRegions(photo) : std::vector<unsigned char>());
+}
+
+PhotoLayers photoLayers(const Image& photo, const PhotoOptions& options,
+                        std::span<const unsigned char> regions) {
     assert(options.layers >= 1 && options.layers <= kMostLayers);
     assert(0.0f <= options.darkest && options.darkest < options.brightest &&
            options.brightest <= 1.0f);
     PhotoLayers layers;
     layers.size = photo.size;
     layers.layers = options.layers;
-    const std::vector<unsigned char> regionOf =
-        options.twoColors ? colorRegions(photo) : std::vector<unsigned char>(photo.pixels.size());
+    std::vector<unsigned char> regionOf(regions.begin(), regions.end());
+    regionOf.resize(photo.pixels.size());
     const std::size_t regionCount = std::ranges::count(regionOf, 1) > 0 ? 2 : 1;
     layers.regions.resize(regionCount);
     std::vector<Tones> tones(regionCount);

@@ -68,6 +68,9 @@ struct PhotoLayers {
 // layer 1 as a whole. That, two colors asked for where there is one, and layers without pixels are
 // warned of. Throws std::runtime_error "all of 8x8 pixels are transparent".
 PhotoLayers photoLayers(const Image& photo, const PhotoOptions& options);
+// With the regions of its pixels, 0 or 1, found before; none = all of region 0.
+PhotoLayers photoLayers(const Image& photo, const PhotoOptions& options,
+                        std::span<const unsigned char> regions);
 
 // The photograph where it is in layer k, and transparent elsewhere; `cumulative`: where it is in
 // any of the layers 1 to k, so that hairs are columns. `photo` is RGBA8 of the same size.

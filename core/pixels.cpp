@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <memory>
 #include <stdexcept>
+#include <string_view>
 
 #include "files.h"
 #include "srgb.h"
@@ -73,17 +75,77 @@ Image decodedImage(std::span<const std::byte> picture) {
     return linearOf(size, std::span<const stbi_us>(pixels.get(), 4 * pixelCount(size)));
 }
 
+constexpr int kLargestSide = 8192;
+
+// In the file, from there on; 0 beyond its end.
+std::size_t byteAt(std::span<const std::byte> file, std::size_t i) {
+    return i < file.size() ? std::to_integer<std::size_t>(file[i]) : 0;
+}
+
+bool beginsWith(std::span<const std::byte> file, std::string_view head) {
+    return file.size() >= head.size() &&
+           std::ranges::equal(std::as_bytes(std::span(head)), file.first(head.size()));
+}
+bool isPng(std::span<const std::byte> file) { return beginsWith(file, "\x89PNG\r\n\x1a\n"); }
+bool isJpeg(std::span<const std::byte> file) { return beginsWith(file, "\xff\xd8\xff"); }
+
+// Whether a PNG lacks the chunk that ends it. Each has a length, a name of four letters, so many
+// bytes and a checksum. ISO/IEC 15948, 5.3.
+bool isCutPng(std::span<const std::byte> file) {
+    for (std::size_t i = 8; i + 12 <= file.size();) {
+        const auto number = [&](std::size_t at) {
+            return byteAt(file, at) << 24 | byteAt(file, at + 1) << 16 | byteAt(file, at + 2) << 8 |
+                   byteAt(file, at + 3);
+        };
+        if (number(i + 4) == 0x49454e44) return false;  // IEND
+        i += 12 + number(i);
+    }
+    return true;
+}
+
 // Whether the scans of a JPEG have no end, which the decoder takes for gray. Markers before the
 // first scan have a length; in it, FF D9 can be nothing but the end. ITU-T T.81, annex B.
 bool isCutJpeg(std::span<const std::byte> file) {
-    const auto at = [&](std::size_t i) { return std::to_integer<std::size_t>(file[i]); };
-    if (file.size() < 4 || at(0) != 0xff || at(1) != 0xd8 || at(2) != 0xff) return false;
+    const auto at = [&](std::size_t i) { return byteAt(file, i); };
     std::size_t i = 2;
     while (i + 4 <= file.size() && at(i) == 0xff && at(i + 1) != 0xda)
         i += at(i + 1) == 0xff ? 1 : 2 + (at(i + 2) << 8 | at(i + 3));  // FF may fill
     for (; i + 2 <= file.size(); ++i)
         if (at(i) == 0xff && at(i + 1) == 0xd9) return false;
     return true;
+}
+
+// Pixels as the header says, whatever they are; 0 where there is none.
+ivec2 headerSize(std::span<const std::byte> picture) {
+    ivec2 size(0);
+    int channels = 0;
+    if (picture.empty() ||
+        !stbi_info_from_memory(encoded(picture), encodedSize(picture), &size.x, &size.y, &channels))
+        return ivec2(0);
+    return size;
+}
+
+// Why no picture could be read from a file.
+std::string faultOf(std::span<const std::byte> file) {
+    const std::string bytes = std::to_string(file.size()) + " bytes";
+    if (!isPng(file) && !isJpeg(file)) {
+        std::string head;
+        for (const std::byte byte : file.first(std::min<std::size_t>(file.size(), 4))) {
+            char hex[4];
+            std::snprintf(hex, sizeof hex, " %02x", std::to_integer<unsigned>(byte));
+            head += hex;
+        }
+        return "is no PNG or JPEG picture: " +
+               (head.empty() ? "it is empty" : "its " + bytes + " begin with" + head);
+    }
+    if (isPng(file) ? isCutPng(file) : isCutJpeg(file))
+        return "ends after " + bytes + ", in the middle of the picture";
+    const ivec2 size = headerSize(file);
+    if (size == ivec2(0)) return "is damaged: its " + bytes + " have no header of a picture";
+    if (std::max(size.x, size.y) > kLargestSide)
+        return "has " + sizeText(size) + " pixels, of which a side may have " +
+               std::to_string(kLargestSide);
+    return "is damaged: its " + bytes + " are no picture of " + sizeText(size) + " pixels";
 }
 
 unsigned char byteOf(float share) {
@@ -93,12 +155,10 @@ unsigned char byteOf(float share) {
 
 }  // namespace
 
+std::string sizeText(ivec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y); }
+
 ivec2 decodedSize(std::span<const std::byte> picture, int largestSide) {
-    ivec2 size(0);
-    int channels = 0;
-    if (picture.empty() ||
-        !stbi_info_from_memory(encoded(picture), encodedSize(picture), &size.x, &size.y, &channels))
-        return ivec2(0);
+    const ivec2 size = headerSize(picture);
     // A byte of PNG holds at most 8 * 1032 pixels, one of JPEG far fewer.
     const bool plausible = pixelCount(size) <= (std::size_t{1} << 20) + 8256 * picture.size();
     return plausible && std::max(size.x, size.y) <= largestSide ? size : ivec2(0);
@@ -142,15 +202,11 @@ Image linearImage(const Pixels& pixels) {
 
 Image readImage(const std::string& path) {
     constexpr std::size_t kMostBytes = std::size_t{1} << 30;
-    constexpr int kLargestSide = 8192;
     const std::vector<std::byte> file = readFile(path, kMostBytes);
-    if (isCutJpeg(file))
-        throw std::runtime_error(path + ": ends after " + std::to_string(file.size()) +
-                                 " bytes, in the middle of the picture");
     Image image;
-    if (decodedSize(file, kLargestSide).x > 0) image = decodedImage(file);
-    if (image.pixels.empty())
-        throw std::runtime_error(path + ": is no PNG or JPEG picture that can be read");
+    if (decodedSize(file, kLargestSide).x > 0 && !(isJpeg(file) && isCutJpeg(file)))
+        image = decodedImage(file);
+    if (image.pixels.empty()) throw std::runtime_error(path + ": " + faultOf(file));
     return image;
 }
 

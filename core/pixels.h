@@ -13,6 +13,9 @@
 
 namespace pelage {
 
+// "640x480"
+std::string sizeText(ivec2 size);
+
 // Pixels as the header of the picture says; 0 where it is not one that is decoded: of a side over
 // `largestSide`, or larger than its bytes can tell.
 ivec2 decodedSize(std::span<const std::byte> picture, int largestSide);
@@ -37,8 +40,10 @@ std::vector<std::byte> encodeJpeg(ivec2 size, std::span<const unsigned char> rgb
 void writePng(const std::string& path, ivec2 size, std::span<const unsigned char> rgba);
 
 // A PNG of 8 or 16 bits or a JPEG as linear light, sides up to 8192. Throws std::runtime_error
-// "a.png: is no PNG or JPEG picture that can be read", "a.jpg: ends after 5120 bytes, in the middle
-// of the picture".
+// "a.png: is no PNG or JPEG picture: its 300 bytes begin with 68 65 6c 6c",
+// "a.jpg: ends after 5120 bytes, in the middle of the picture",
+// "a.png: has 9000x20 pixels, of which a side may have 8192", or
+// "a.png: is damaged: its 300 bytes are no picture of 64x64 pixels".
 Image readImage(const std::string& path);
 
 // The displayPixels of the image as a PNG.

@@ -1,6 +1,9 @@
 // shell_source.cpp -- pictures to textures whose levels cover alike, and what is drawn from them.
 #include "shell_source.h"
 
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <bit>
 #include <cassert>
@@ -15,7 +18,7 @@
 namespace pelage {
 namespace {
 
-constexpr int kLargestSide = 1024;
+constexpr int kLargestShownSide = 1024;
 
 using Texel = ShellTexture::Texel;
 
@@ -28,11 +31,11 @@ std::size_t placeOf(ivec2 size, int x, int y) {
 template <class Value>
 std::vector<Value> halved(ivec2 size, const std::vector<Value>& fine) {
     const ivec2 half = halfSize(size);
-    std::vector<Value> coarse;
-    coarse.reserve(pixelCount(half));
-    for (int y = 0; y < half.y; ++y)
+    std::vector<Value> coarse(pixelCount(half));
+    tbb::parallel_for(0, half.y, [&](int y) {
+        const Cover down(y, size.y, half.y);
         for (int x = 0; x < half.x; ++x) {
-            const Cover across(x, size.x, half.x), down(y, size.y, half.y);
+            const Cover across(x, size.x, half.x);
             Value sum{0.0f};
             float area = 0.0f;
             for (int j = down.first(); j < down.end(); ++j)
@@ -41,8 +44,9 @@ std::vector<Value> halved(ivec2 size, const std::vector<Value>& fine) {
                     sum += share * fine[placeOf(size, i, j)];
                     area += share;
                 }
-            coarse.push_back(sum / area);
+            coarse[placeOf(half, x, y)] = sum / area;
         }
+    });
     return coarse;
 }
 
@@ -59,9 +63,10 @@ struct Averages {
     }
 };
 
-// Sides at most kLargestSide.
+bool fits(ivec2 size, int side) { return std::max(size.x, size.y) <= side; }
+
 Image fitted(Image image) {
-    while (std::max(image.size.x, image.size.y) > kLargestSide) {
+    while (!fits(image.size, kLargestSourceSide)) {
         image.pixels = halved(image.size, image.pixels);
         image.size = halfSize(image.size);
     }
@@ -100,7 +105,7 @@ ByRegion rankedTexels(const Averages& averages) {
         const std::size_t region = averages.second[i] > 0.5f * color.a ? 1 : 0;
         ranked[region].push_back({luminance(vec3(color)) / color.a, i});
     }
-    for (std::vector<Ranked>& region : ranked) std::ranges::sort(region);
+    for (std::vector<Ranked>& region : ranked) tbb::parallel_sort(region.begin(), region.end());
     return ranked;
 }
 
@@ -110,12 +115,12 @@ std::vector<Texel> levelOf(const Averages& averages, const ByRegion& tones) {
     const ByRegion ranked = rankedTexels(averages);
     for (std::size_t region = 0; region < ranked.size(); ++region) {
         const std::size_t n = ranked[region].size(), all = tones[region].size();
-        for (std::size_t i = 0; i < n; ++i) {
+        tbb::parallel_for(std::size_t{0}, n, [&](std::size_t i) {
             const vec4 color = averages.colors[ranked[region][i].place];
             const float tone = tones[region][(2 * i + 1) * all / (2 * n)].tone;
             level[ranked[region][i].place] =
                 texelOf(inLuminance(vec3(color) / color.a, tone), region == 0 ? 255 : 128);
-        }
+        });
     }
     return level;
 }
@@ -141,7 +146,7 @@ ShellTexture photoTexture(const Image& photo, std::span<const unsigned char> reg
     for (std::size_t i = 0; i < regions.size(); ++i)
         averages.second[i] = regions[i] == 1 ? photo.pixels[i].a : 0.0f;
     const ByRegion tones = rankedTexels(averages);
-    ShellTexture texture{true, photo.size, {levelOf(averages, tones)}};
+    ShellTexture texture{.photo = true, .size = photo.size, .levels = {levelOf(averages, tones)}};
     while (averages.colors.size() > 1) {
         averages.halve();
         texture.levels.push_back(levelOf(averages, tones));
@@ -151,7 +156,7 @@ ShellTexture photoTexture(const Image& photo, std::span<const unsigned char> reg
 
 ShellTexture heightTexture(const ShellMap& map) {
     static_assert(sizeof(ShellTexel) == sizeof(Texel));
-    ShellTexture texture{false, map.levels.front().size, {}};
+    ShellTexture texture{.size = map.levels.front().size};
     for (const ShellLevel& level : map.levels) {
         std::vector<Texel>& texels = texture.levels.emplace_back();
         for (const ShellTexel& texel : level.texels) texels.push_back(std::bit_cast<Texel>(texel));
@@ -172,27 +177,65 @@ bool samePicture(const ShellRecipe& a, const ShellRecipe& b) {
            a.noise == b.noise;
 }
 
-ShellPicture shellPicture(const ShellRecipe& recipe) {
+ShellPicture photoPicture(std::shared_ptr<const ShellTexture> texture) {
+    ShellPicture picture;
+    ivec2 size = texture->size;
+    std::size_t level = 0;
+    for (; !fits(size, kLargestShownSide); ++level) size = halfSize(size);
+    Pixels pixels{size, {}};
+    pixels.rgba.reserve(4 * pixelCount(size));
+    picture.regions.reserve(pixelCount(size));
+    for (const Texel& texel : texture->levels[level]) {
+        pixels.rgba.insert(pixels.rgba.end(), texel.begin(), texel.begin() + 3);
+        pixels.rgba.push_back(texel[3] > 0 ? 255 : 0);
+        picture.regions.push_back(texel[3] == 128 ? 1 : 0);
+    }
+    picture.photo = linearImage(pixels);
+    picture.texture = std::move(texture);
+    return picture;
+}
+
+std::string halvedText(const ShellTexture& texture) {
+    if (fits(texture.fileSize, kLargestSourceSide)) return {};
+    return sizeText(texture.fileSize) + " pixels are drawn as " + sizeText(texture.size);
+}
+
+ShellPicture shellPicture(const ShellRecipe& recipe, Progress* progress) {
     assert(recipe.from != ShellRecipe::From::hairs);
-    const auto shared = [](ShellTexture texture) {
+    const auto report = [&](float done) {
+        if (progress) progress->report(done);
+    };
+    ivec2 fileSize(0);
+    const auto shared = [&](ShellTexture texture) {
+        texture.fileSize = fileSize;
         return std::make_shared<const ShellTexture>(std::move(texture));
     };
     constexpr ShellCut kRanks{.coverage = 1.0f, .taper = 1.0f};
     const uint seed = recipe.noise.seed;
     if (recipe.from == ShellRecipe::From::noise)
-        return {{}, shared(heightTexture(rankedMap(noisePicture(recipe.noise), kRanks, seed)))};
+        return {.texture =
+                    shared(heightTexture(rankedMap(noisePicture(recipe.noise), kRanks, seed)))};
     Image image = readImage(recipe.file);
-    if (recipe.from == ShellRecipe::From::picture)
-        return {{},
-                shared(heightTexture(rankedMap(greyOf(fitted(std::move(image))), kRanks, seed)))};
+    report(0.3f);
+    fileSize = image.size;
+    if (recipe.from == ShellRecipe::From::picture) {
+        const Plane grey = greyOf(fitted(std::move(image)));
+        report(0.4f);
+        return {.texture = shared(heightTexture(rankedMap(grey, kRanks, seed)))};
+    }
     image = drawnPhoto(std::move(image));
+    report(0.6f);
     if (std::ranges::none_of(image.pixels, [](vec4 pixel) { return pixel.a > 0.0f; }))
-        throw std::runtime_error(recipe.file + ": all of " + std::to_string(image.size.x) + "x" +
-                                 std::to_string(image.size.y) + " pixels are transparent");
-    const std::vector<unsigned char> regions =
-        recipe.photo.twoColors ? colorRegions(image) : std::vector<unsigned char>();
-    auto texture = shared(photoTexture(image, regions));
-    return {std::move(image), std::move(texture)};
+        throw std::runtime_error(recipe.file + ": all of " + sizeText(fileSize) +
+                                 " pixels are transparent");
+    ShellPicture picture = photoPicture(shared(photoTexture(
+        image, recipe.photo.twoColors ? colorRegions(image) : std::vector<unsigned char>())));
+    report(1.0f);
+    return picture;
+}
+
+PhotoLayers photoLayers(const ShellPicture& picture, const PhotoOptions& options) {
+    return photoLayers(picture.photo, options, picture.regions);
 }
 
 ShellSource shellSource(const ShellPicture& picture, const ShellRecipe& recipe,
@@ -209,10 +252,9 @@ ShellSource shellSource(const ShellPicture& picture, const ShellRecipe& recipe,
     return source;
 }
 
-ShellSource shellSource(const ShellRecipe& recipe, float skinSize) {
-    const ShellPicture picture = shellPicture(recipe);
+ShellSource shellSource(const ShellPicture& picture, const ShellRecipe& recipe, float skinSize) {
     const PhotoLayers layers = recipe.from == ShellRecipe::From::photo
-                                   ? photoLayers(picture.photo, recipe.photo)
+                                   ? photoLayers(picture, recipe.photo)
                                    : PhotoLayers{};
     return shellSource(picture, recipe, layers, skinSize);
 }

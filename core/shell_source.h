@@ -7,6 +7,7 @@
 #include <string>
 
 #include "photo_layers.h"
+#include "progress.h"
 #include "shell_map.h"
 
 namespace pelage {
@@ -17,13 +18,17 @@ struct ShellTexture {
 
     bool photo = false;  // texels are colors, else the bytes of ShellTexels
     ivec2 size{0};
-    std::vector<std::vector<Texel>> levels;  // rows from the top
+    std::vector<std::vector<Texel>> levels{};  // rows from the top
+    ivec2 fileSize{0};                         // of the picture in its file; 0 without one
 
     std::size_t bytes() const;  // of all levels
 };
 
-// A photograph as it is drawn: in 8 bits, sides at most 1024 (halved until they are, which grey
-// pictures are too), and each pixel either transparent or not at all.
+// Larger pictures are halved until they fit. Any OpenGL 4.5 takes textures of 16384.
+inline constexpr int kLargestSourceSide = 4096;
+
+// A photograph as it is drawn: in 8 bits, of sides that fit, and each pixel either transparent or
+// not at all.
 Image drawnPhoto(Image photo);
 
 // Of such a photograph: its colors, display-encoded, with an alpha of 255 in the region 0, 128 in
@@ -75,18 +80,28 @@ struct ShellRecipe {
 // What of it takes long to make, and does not depend on layers, range of tones, cut,
 // side and gap.
 struct ShellPicture {
-    Image photo;  // as drawn; empty for grey pictures
-    std::shared_ptr<const ShellTexture> texture;
+    // A photograph with sides up to 1024, as drawn or a level of it, which holds the same tones;
+    // empty for grey pictures.
+    Image photo{};
+    std::vector<unsigned char> regions{};  // of its pixels, as photoLayers takes them
+    std::shared_ptr<const ShellTexture> texture{};
 };
 bool samePicture(const ShellRecipe& a, const ShellRecipe& b);
 
+// Of a texture that is a photograph.
+ShellPicture photoPicture(std::shared_ptr<const ShellTexture> texture);
+
+// "8192x8192 pixels are drawn as 4096x4096"; empty for pictures that fit.
+std::string halvedText(const ShellTexture& texture);
+
 // Reads the file. Throws std::runtime_error as readImage does, and "a.png: all of 8x8 pixels are
 // transparent" for a photograph; `recipe.from` is not hairs.
-ShellPicture shellPicture(const ShellRecipe& recipe);
+ShellPicture shellPicture(const ShellRecipe& recipe, Progress* progress = nullptr);
+PhotoLayers photoLayers(const ShellPicture& picture, const PhotoOptions& options);
 // `layers` of the photograph, if it is one.
 ShellSource shellSource(const ShellPicture& picture, const ShellRecipe& recipe,
                         const PhotoLayers& layers, float skinSize);
-// Both at once, without what a panel shows of it.
-ShellSource shellSource(const ShellRecipe& recipe, float skinSize);
+// The same without what a panel shows of it.
+ShellSource shellSource(const ShellPicture& picture, const ShellRecipe& recipe, float skinSize);
 
 }  // namespace pelage

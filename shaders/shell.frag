@@ -265,6 +265,11 @@ void lightAtRoot(inout Ground g, vec3 turn) {
     g.underB += dot(g.underB, g.normal) * turn - dot(g.underB, turn) * n;
     g.normal = n;
 }
+#ifdef MAP
+#include "shell_map.glsl"
+#include "shell_map_shade.glsl"
+#include "shell_map_march.glsl"
+#endif
 
 void main() {
     Ground g = groundBelow(faceOf(indices, texelFetch(found, ivec2(gl_FragCoord.xy), 0).xy));
@@ -291,6 +296,9 @@ void main() {
     ray.far = 1.0 + ray.bend * ray.top;
     g.bend = ray.bend;
 
+#ifdef MAP
+    showMap(ray, below, ahead, back, g);
+#else
     float pixelsPerMetre = pixelsPerMetreAt(g.outer);
     Hit hit;
     hit.way = 1e30;
@@ -316,4 +324,5 @@ void main() {
     color = hits ? vec4(radianceOf(hit, g), 1.0) : vec4(0.5);
     vec4 clip = frame.viewProjection * vec4(g.outer + (back - hit.way) * toEye(g.outer), 1.0);
     depth = hits ? clamp(0.5 + 0.5 * clip.z / clip.w, 0.0, 1.0) : 1.0;
+#endif
 }

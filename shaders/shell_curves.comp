@@ -70,5 +70,5 @@ void main() {
         turned(over.curve.b, q), bend.xx, turned(under.curve.a, q), bend.xy,
         turned(under.curve.b, q), bend.xz,
         turned(over.across, q), bend.yy, turned(under.across, q), bend.yz, rest.position, bend.zz,
-        furVertices[v].tint, 0u, q);
+        furVertices[v].tint, packedDirection(turned(furVertices[v].direction, q)), q);
 }

@@ -9,7 +9,7 @@ ShellVertex shellVertex(uint number) {
     for (int k = 0; k < 11; ++k) row[k] = texelFetch(shellVertices, i + k);
     return ShellVertex(row[0].xyz, row[0].w, row[1].xyz, row[1].w, row[2].xyz, row[2].w, row[3].xyz,
                        row[3].w, row[4].xyz, row[4].w, row[5].xyz, row[5].w, row[6].xyz, row[6].w,
-                       row[7].xyz, row[7].w, row[8].xyz, row[8].w, row[9].xyz, 0u, row[10]);
+                       row[7].xyz, row[7].w, row[8].xyz, row[8].w, row[9].xyz, row[9].w, row[10]);
 }
 
 struct Ground {     // in the space of the skin at rest, unless world is said
@@ -37,6 +37,7 @@ struct Ground {     // in the space of the skin at rest, unless world is said
     float furLength;
     vec3 tint;
     vec3 bare;      // color of the skin
+    vec3 combed;    // [0,1] long
 };
 
 // Where fur begins over a vertex, world.
@@ -91,6 +92,8 @@ Ground groundOf(ShellVertex a, ShellVertex b, ShellVertex c, vec3 share, vec3 ba
     g.furLength = MIXED(furLength);
     g.tint = MIXED(tint);
     g.bare = bare;
+    g.combed = share.x * unpackedDirection(a.combed) + share.y * unpackedDirection(b.combed) +
+               share.z * unpackedDirection(c.combed);
     return g;
 #undef MIXED
 }

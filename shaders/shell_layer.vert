@@ -11,9 +11,6 @@ layout(location = 2) uniform float layerAt;  // t of the hair that is drawn
 layout(location = 3) uniform uint layerCoat;
 out Ground ground;
 out vec2 uv;
-#ifdef MAP
-out vec3 combed;  // as the ground: where hair is combed
-#endif
 
 void main() {
     ShellVertex v = shellVertex(skinVertex);
@@ -24,8 +21,5 @@ void main() {
     ground.outer = v.position + turnedBack(hair, v.turn);
     ground.eye = turned(toEye(ground.outer), v.turn);
     uv = cornerUv;
-#ifdef MAP
-    combed = turned(furVertices[skinVertex].direction, v.turn);
-#endif
     gl_Position = frame.viewProjection * vec4(ground.outer, 1.0);
 }

@@ -1,12 +1,12 @@
-// shell_map.glsl -- fur that is cut from one picture, which lies on the skin in patches, whatever uvs
-// it has.
+// shell_map.glsl -- fur that is cut from one picture, which lies on the skin in patches,
+// whatever uvs it has.
 //
-// Space is divided into cells with wavy walls. The skin in a cell shows the picture as projected along
-// one of the axes of space: by a chance that axisShares gives, so that there is no seam where the skin
-// turns from one axis to another. No place shows a mix of two projections, which would even out what
-// is bright and what is dark: each layer covers as much as in the picture wherever the skin faces. Of
-// a photograph each cell shows another part, away from its edges, which do not match, with its lower
-// edge to where hair is combed.
+// Space is divided into cells with wavy walls. The skin in a cell shows the picture as projected
+// along one of the axes of space: by a chance that axisShares gives, so that there is no seam
+// where the skin turns from one axis to another. No place shows a mix of two projections, which
+// would even out what is bright and what is dark: each layer covers as much as in the picture
+// wherever the skin faces. Of a photograph each cell shows another part, away from its edges,
+// which do not match, with its lower edge to where hair is combed.
 
 layout(std140, binding = 3) uniform ShellMapBlock {
     vec4 mapTones;     // of a photograph: low and high luminance of region 0, then of region 1
@@ -16,8 +16,9 @@ layout(std140, binding = 3) uniform ShellMapBlock {
     uint mapPad0;
     float mapCoverage; // of the skin, of heights: at the root,
     float mapTaper;    // and how far hairs thin out towards the tip
+    float mapGap;      // between two layers, of what fills the coat
 };
-layout(binding = 2) uniform sampler2D shellMap;
+layout(binding = 12) uniform sampler2D shellMap;
 
 const float kWave = 0.12;         // of the walls, in cells
 const float kPhotoCells = 2.2;    // on the shorter side of a photograph: turned cells fit into it
@@ -25,8 +26,8 @@ const float kCellReach = 1.7537;  // side of the square that holds them, sqrt(2)
 
 vec2 mapSize() { return vec2(textureSize(shellMap, 0)); }
 
-// A place in the picture, and by how much the level is another one in its cell: from afar cells change
-// to coarser levels one after the other.
+// A place in the picture, and by how much the level is another one in its cell: from afar cells
+// change to coarser levels one after the other.
 struct MapPlace {
     vec2 at;
     float level;
@@ -67,7 +68,8 @@ float mapLevel(float pixelsPerMetre) {
 
 // The texel in whose bounds a place is. Means of several would even out what is bright and dark.
 vec4 mapTexel(MapPlace place, float level) {
-    float whole = clamp(floor(level + place.level + 0.5), 0.0, float(textureQueryLevels(shellMap) - 1));
+    float coarsest = float(textureQueryLevels(shellMap) - 1);
+    float whole = clamp(floor(level + place.level + 0.5), 0.0, coarsest);
     ivec2 size = textureSize(shellMap, int(whole));
     return texelFetch(shellMap, min(ivec2(fract(place.at) * vec2(size)), size - 1), int(whole));
 }
@@ -77,15 +79,15 @@ vec4 mapSmooth(MapPlace place, float level, vec4 texel) {
     return level < 0.0 ? textureLod(shellMap, place.at, 0.0) : texel;
 }
 
-// Luminance from which on a photograph has hair so far in from the tips, 1 = on the skin: light that
-// enters fur dies away exponentially (Ukaji and others, "Acquiring Shell Textures from a Single Image
-// for Realistic Fur Rendering").
+// Luminance from which on a photograph has hair so far in from the tips, 1 = on the skin: light
+// that enters fur dies away exponentially (Ukaji and others, "Acquiring Shell Textures from a
+// Single Image for Realistic Fur Rendering").
 float mapThreshold(vec2 tones, float depth) {
     return tones.y * pow(tones.x / max(tones.y, 1e-20), depth);
 }
 
-// From display-encoded to linear. Not by the texture: what drivers make of it may be off by so much of
-// a step of 8 bits that all texels of one tone change the layer.
+// From display-encoded to linear. Not by the texture: what drivers make of it may be off by so much
+// of a step of 8 bits that all texels of one tone change the layer.
 vec3 mapLight(vec3 color) {
     return mix(pow((color + 0.055) / 1.055, vec3(2.4)), color / 12.92,
                lessThanEqual(color, vec3(0.04045)));

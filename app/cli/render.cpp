@@ -262,7 +262,7 @@ void render(const Options& options, bool json) {
     if (json) {
         printJson(result);
     } else {
-        print(textOf(result) + textureText(view, stats.textureBytes));
+        print(textOf(result) + pictureText(view));
     }
 }
 

@@ -13,6 +13,11 @@ const char* nameOf(From from) {
     return kNames[static_cast<int>(from)];
 }
 
+// The one that both coats have, or the one that has any.
+const ShellSource& pictureOf(const View& view) {
+    return view.maps[0].texture ? view.maps[0] : view.maps[1];
+}
+
 }  // namespace
 
 CLI::Option* addClampOption(CLI::App& verb, const char* name, std::vector<double>& clamp) {
@@ -97,25 +102,37 @@ void useShellOptions(View& view, const ShellOptions& options, float skinSize) {
     recipe.photo.darkest = static_cast<float>(options.clamp[0] / 100.0);
     recipe.photo.brightest = static_cast<float>(options.clamp[1] / 100.0);
     if (view.layers > 0) recipe.photo.layers = static_cast<int>(view.layers);
-    const ShellSource source = shellSource(recipe, skinSize);
+    const ShellSource source = shellSource(shellPicture(recipe), recipe, skinSize);
     if (over) view.maps[0] = source;
     if (under) view.maps[1] = source;
 }
 
 std::size_t storedLayersBytes(const View& view) {
-    const ShellSource& source = view.maps[0].texture ? view.maps[0] : view.maps[1];
+    const ShellSource& source = pictureOf(view);
     if (!source.texture) return 0;
     return source.layers * pixelCount(source.texture->size) * sizeof(ShellTexture::Texel);
 }
 
-std::string textureText(const View& view, std::size_t textureBytes) {
-    const std::size_t stored = storedLayersBytes(view);
-    if (stored == 0) return {};
-    char text[128];
-    std::snprintf(text, sizeof text,
-                  "texture with its mips %.0f KiB; its layers one by one would take %.0f KiB\n",
-                  static_cast<double>(textureBytes) / 1024.0, static_cast<double>(stored) / 1024.0);
+std::string memoryText(ivec2 size, int layers) {
+    constexpr std::size_t kTexel = sizeof(ShellTexture::Texel);
+    const auto kib = [](std::size_t texels) {
+        return static_cast<double>(kTexel * texels) / 1024.0;
+    };
+    const std::size_t one = pixelCount(size);
+    char text[160];
+    std::snprintf(
+        text, sizeof text,
+        "texture %.0f KiB, with its mips %.0f KiB; %d stored layers would take %.0f KiB\n",
+        kib(one), kib(texelsWithLevels(size)), layers, kib(static_cast<std::size_t>(layers) * one));
     return text;
+}
+
+std::string pictureText(const View& view) {
+    const ShellSource& source = pictureOf(view);
+    if (!source.texture) return {};
+    const std::string halved = halvedText(*source.texture);
+    return memoryText(source.texture->size, static_cast<int>(source.layers)) +
+           (halved.empty() ? "" : halved + "\n");
 }
 
 }  // namespace pelage

@@ -23,8 +23,12 @@ void addShellOptions(CLI::App& verb, ShellOptions& options);
 // Reads the picture. Throws UsageError where the view has no shells.
 void useShellOptions(View& view, const ShellOptions& options, float skinSize);
 
-// Of the pictures, for JSON and as a line of text; 0 and empty without one.
+// "texture 256 KiB, with its mips 341 KiB; 16 stored layers would take 4096 KiB", of a picture of
+// such a size.
+std::string memoryText(ivec2 size, int layers);
+
+// Of the picture, for JSON and as lines of text; 0 and empty without one.
 std::size_t storedLayersBytes(const View& view);
-std::string textureText(const View& view, std::size_t textureBytes);
+std::string pictureText(const View& view);
 
 }  // namespace pelage

@@ -65,15 +65,6 @@ OrderedJson memoryOf(ivec2 size, int layers) {
             {"storedLayersBytes", static_cast<std::size_t>(layers) * one}};
 }
 
-std::string memoryText(ivec2 size, int layers) {
-    const auto kib = [](std::size_t bytes) { return static_cast<double>(bytes) / 1024.0; };
-    const std::size_t one = kTexelBytes * pixelCount(size);
-    return format(
-        "texture %.0f KiB, with its mips %.0f KiB; %d stored layers would take %.0f KiB\n",
-        kib(one), kib(kTexelBytes * texelsWithLevels(size)), layers,
-        kib(static_cast<std::size_t>(layers) * one));
-}
-
 std::string writtenText(const std::string& folder, const Files& files) {
     return "wrote " + std::to_string(files.files.size()) + " files to " + folder + "\n";
 }

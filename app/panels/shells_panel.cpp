@@ -117,6 +117,11 @@ void numberOf(const Ui& ui, const char* label, float& value, const Number& numbe
     if (const auto other = numberRow(ui, label, value, number)) value = *other;
 }
 
+// The same of a share, in percent; as it was, to the bit, where it is not edited.
+void percentOf(const Ui& ui, const char* label, float& share, const Number& number) {
+    if (const auto other = numberRow(ui, label, 100.0f * share, number)) share = 0.01f * *other;
+}
+
 void layerRows(const Ui& ui, ShellRecipe& recipe) {
     auto layers = static_cast<float>(recipe.photo.layers);
     numberOf(ui, "Layers", layers,
@@ -127,15 +132,13 @@ void layerRows(const Ui& ui, ShellRecipe& recipe) {
               .logarithmic = true,
               .help = "More layers are smoother from the side, and slower."});
     recipe.photo.layers = static_cast<int>(layers + 0.5f);
-    float gap = 100.0f * recipe.gap;
-    numberOf(
-        ui, "Spacing", gap,
+    percentOf(
+        ui, "Spacing", recipe.gap,
         {.least = 1,
          .greatest = 100,
          .fallback = 100,
          .format = "%.0f %%",
          .help = "Between layers; at 100 % they fill the coat, with less the fur is flatter."});
-    recipe.gap = 0.01f * gap;
 }
 
 void sizeRow(App& app, ShellRecipe& recipe) {
@@ -155,20 +158,17 @@ void sizeRow(App& app, ShellRecipe& recipe) {
 }
 
 void photoRows(const Ui& ui, PhotoOptions& photo) {
-    float darkest = 100.0f * photo.darkest, brightest = 100.0f * photo.brightest;
-    numberOf(ui, "Darkest", darkest,
-             {.greatest = 49,
-              .fallback = 1,
-              .format = "%.1f %%",
-              .help = "Share of the pixels that are darker than the tone of the last layer."});
-    numberOf(ui, "Brightest", brightest,
-             {.least = 51,
-              .greatest = 100,
-              .fallback = 99,
-              .format = "%.1f %%",
-              .help = "Share of the pixels that are darker than the tone of the tips."});
-    photo.darkest = 0.01f * darkest;
-    photo.brightest = 0.01f * brightest;
+    percentOf(ui, "Darkest", photo.darkest,
+              {.greatest = 49,
+               .fallback = 1,
+               .format = "%.1f %%",
+               .help = "Share of the pixels that are darker than the tone of the last layer."});
+    percentOf(ui, "Brightest", photo.brightest,
+              {.least = 51,
+               .greatest = 100,
+               .fallback = 99,
+               .format = "%.1f %%",
+               .help = "Share of the pixels that are darker than the tone of the tips."});
     toggleRow(
         ui, "Two colors", &photo.twoColors,
         "Tells the two colors of a spotted or striped fur apart, and gives each its own range "
@@ -233,6 +233,8 @@ void drawShells(App& app) {
                             static_cast<double>(choice.picture.texture->levels[0].size() *
                                                 static_cast<std::size_t>(recipe.photo.layers)) /
                                 256.0);
+        const std::string halved = halvedText(*choice.picture.texture);
+        if (!halved.empty()) ImGui::TextWrapped("%s", halved.c_str());
     }
     ImGui::PopID();
     if (!(recipe == choice.recipe)) chooseShells(app, recipe);

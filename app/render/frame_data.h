@@ -58,8 +58,7 @@ enum Storage : unsigned {
 enum Texture : unsigned {
     baseColors = 0,
     skinDepth = 1,
-    shellPicture = 2,  // the next ones never with it, and one at a time
-    peeled = 2,
+    peeled = 2,  // one at a time, as the next ones
     found = 2,
     hairColor = 2,
     shellRows = 3,
@@ -68,7 +67,8 @@ enum Texture : unsigned {
     shellTile = 6,
     skinFound = 7,
     skinIndices = 8,
-    hairDepth = 8  // never with skinIndices
+    hairDepth = 8,  // never with skinIndices
+    shellPicture = 12
 };
 }  // namespace binding
 

@@ -25,7 +25,7 @@ struct ShellVertex {
     vec3 place;
     float bendZZ;
     vec3 tint;
-    uint pad0;
+    float combed;
     vec4 turn;
 };
 

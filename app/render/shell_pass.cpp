@@ -16,8 +16,11 @@ namespace {
 
 constexpr uint kFirstLayers = 32;  // where the skin is drawn once for each and none are asked for
 
-std::vector<std::string> definesFor(bool shadows) {
-    return shadows ? std::vector<std::string>{"SHADOWS"} : std::vector<std::string>{};
+std::vector<std::string> definesFor(const View& view) {
+    std::vector<std::string> defines;
+    if (view.shells == Shells::plain) defines.emplace_back("PLAIN");
+    if (view.shellShadows) defines.emplace_back("SHADOWS");
+    return defines;
 }
 
 }  // namespace
@@ -96,16 +99,15 @@ void ShellPass::march(const Program& program, const Peel& peel, const gl::Textur
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
-const ShellPass::March& ShellPass::marchFor(const View& view) {
-    const bool plain = view.shells == Shells::plain;
-    std::optional<March>& made = (plain ? plain_ : swept_)[view.shellShadows];
-    if (made) return *made;
-    std::vector<std::string> defines = definesFor(view.shellShadows);
-    if (plain) defines.emplace_back("PLAIN");
-    Program fromOver = Program::draw("screen.vert", "shell.frag", defines);
-    defines.emplace_back("SKIN");
-    made = March{std::move(fromOver), Program::draw("screen.vert", "shell.frag", defines)};
-    return *made;
+// By shell.frag with these defined.
+const ShellPass::March& ShellPass::marchFor(std::vector<std::string> defines) {
+    const auto [made, isNew] = marches_.try_emplace(defines);
+    if (isNew) {
+        made->second.fromOver = Program::draw("screen.vert", "shell.frag", defines);
+        defines.emplace_back("SKIN");
+        made->second.fromSkin = Program::draw("screen.vert", "shell.frag", defines);
+    }
+    return made->second;
 }
 
 // What is found is marched at once, a pixel at a time and however small its triangle: first below
@@ -113,10 +115,10 @@ const ShellPass::March& ShellPass::marchFor(const View& view) {
 // anything does. Then from the skin where that did not look for its fur: where the eye is in the
 // fur, and in hollows, whose outer surface lies in other parts of the body.
 void ShellPass::drawMarched(const Mirror& mirror, const Mirror::Surface& skin, const Canvas& canvas,
-                            const View& view) {
+                            const std::vector<std::string>& defines) {
     constexpr std::size_t kMostPeels = 4;
     resize(canvas.size);
-    const March& programs = marchFor(view);
+    const March& programs = marchFor(defines);
     const uint none = 0;
     const float nearest = 0.0f;
     glClearTexImage(seen_.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
@@ -163,14 +165,17 @@ void ShellPass::drawLayer(const Mirror& mirror, const Program& program, float t)
                 [&](const Mirror::Part&) -> const Program& { return program; });
 }
 
-// The last layer lies on the skin, and is to be seen there.
-void ShellPass::drawMap(const Mirror& mirror, const ShellSource& source, uint coat) {
+void ShellPass::usePicture(const ShellSource& source) {
     const ShellMapData data = mapData(source);
     mapBlock_.upload(std::span<const ShellMapData>(&data, 1));
     mapBlock_.bindUniform(binding::shellMap);
     glBindTextureUnit(binding::shellPicture, pictures_.textureOf(source.texture).name());
     layers_ = std::max(layers_, source.layers);
-    if (!map_) map_ = Program::draw("shell_layer.vert", "shell_map.frag", {"MAP"});
+}
+
+// The last layer lies on the skin, and is to be seen there.
+void ShellPass::drawMap(const Mirror& mirror, const ShellSource& source, uint coat) {
+    if (!map_) map_ = Program::draw("shell_layer.vert", "shell_map.frag");
     glProgramUniform1ui(map_->name(), 3, coat);
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(-1.0f, -1.0f);
@@ -181,11 +186,10 @@ void ShellPass::drawMap(const Mirror& mirror, const ShellSource& source, uint co
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-void ShellPass::drawLayers(const Mirror& mirror, uint coats, bool shadows) {
+void ShellPass::drawLayers(const Mirror& mirror, uint coats, const View& view) {
     if (layers_ == 0) layers_ = kFirstLayers;
-    std::optional<Program>& program = layer_[shadows];
-    if (!program)
-        program = Program::draw("shell_layer.vert", "shell_layer.frag", definesFor(shadows));
+    std::optional<Program>& program = layer_[view.shellShadows];
+    if (!program) program = Program::draw("shell_layer.vert", "shell_layer.frag", definesFor(view));
     for (uint coat = 0; coat < 2; ++coat) {
         if (!(coats >> coat & 1u)) continue;
         glProgramUniform1ui(program->name(), 3, coat);
@@ -230,15 +234,23 @@ void ShellPass::draw(Mirror& mirror, const Mirror::Surface& skin, const Document
         layers_ = view.layers;
         block_.write(0, std::span<const ShellData>(&data, 1));
         if (view.shells == Shells::instanced)
-            drawLayers(mirror, data.coats, view.shellShadows);
+            drawLayers(mirror, data.coats, view);
         else
-            drawMarched(mirror, skin, canvas, view);
+            drawMarched(mirror, skin, canvas, definesFor(view));
     }
     // A photograph shows all of a fur.
     if (mapped == 3u && view.maps[0] == view.maps[1] && view.maps[0].texture->photo) mapped = 1u;
     glBindFramebuffer(GL_FRAMEBUFFER, canvas.target.name());
-    for (uint coat = 0; coat < 2; ++coat)
-        if (mapped >> coat & 1u) drawMap(mirror, view.maps[coat], coat);
+    for (uint coat = 0; coat < 2; ++coat) {
+        if (!(mapped >> coat & 1u)) continue;
+        usePicture(view.maps[coat]);
+        data.coats = 1u << coat;
+        block_.write(0, std::span<const ShellData>(&data, 1));
+        if (view.shells == Shells::instanced)
+            drawMap(mirror, view.maps[coat], coat);
+        else
+            drawMarched(mirror, skin, canvas, {"MAP"});
+    }
     textureBytes_ += pictures_.keep(view.maps);
 }
 

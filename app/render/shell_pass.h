@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/render/canvas.h"
@@ -39,25 +41,24 @@ private:
     void find(const Mirror& mirror, const Program& program, const Mirror::Surface& surface,
               const Peel& peel, const Peel& before) const;
     void leaveOutSeen() const;
-    void march(const Program& program, const Peel& peel, const gl::Texture& indices,
-               const Canvas& canvas) const;
-    void drawMarched(const Mirror& mirror, const Mirror::Surface& skin, const Canvas& canvas,
-                     const View& view);
-    // From pictures, layer by layer in any case.
-    void drawMap(const Mirror& mirror, const ShellSource& source, uint coat);
-    void drawLayer(const Mirror& mirror, const Program& program, float t) const;
-    void drawLayers(const Mirror& mirror, uint coats, bool shadows);
-
     struct March {
         Program fromOver, fromSkin;
     };
-    const March& marchFor(const View& view);
+    const March& marchFor(std::vector<std::string> defines);
+    void march(const Program& program, const Peel& peel, const gl::Texture& indices,
+               const Canvas& canvas) const;
+    void drawMarched(const Mirror& mirror, const Mirror::Surface& skin, const Canvas& canvas,
+                     const std::vector<std::string>& defines);
+    void usePicture(const ShellSource& source);
+    void drawMap(const Mirror& mirror, const ShellSource& source, uint coat);
+    void drawLayer(const Mirror& mirror, const Program& program, float t) const;
+    void drawLayers(const Mirror& mirror, uint coats, const View& view);
 
     ShellGround ground_;
     Program over_, skin_, show_, seenOut_;
-    // Made when they are first needed; a layer and marches without shadows and with them.
+    // Made when they are first needed: a layer without shadows and with them, and marches.
     std::optional<Program> layer_[2], map_;
-    std::optional<March> swept_[2], plain_[2];
+    std::map<std::vector<std::string>, March> marches_;
     gl::VertexArray cornerArray_;
     gl::Buffer tile_, block_, mapBlock_;
     ivec2 size_{0};

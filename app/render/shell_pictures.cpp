@@ -13,6 +13,7 @@ ShellMapData mapData(const ShellSource& source) {
     data.layers = source.layers;
     data.coverage = source.cut.coverage;
     data.taper = source.cut.taper;
+    data.gap = source.gap;
     return data;
 }
 

@@ -16,8 +16,8 @@ struct ShellMapData {
     vec4 tones{0.0f};
     float side = 1.0f;
     uint photo = 0, layers = 1, pad0 = 0;
-    float coverage = 1.0f, taper = 1.0f;
-    uint pad1 = 0, pad2 = 0;
+    float coverage = 1.0f, taper = 1.0f, gap = 1.0f;
+    uint pad1 = 0;
 };
 static_assert(sizeof(ShellMapData) == 48);
 ShellMapData mapData(const ShellSource& source);

@@ -451,9 +451,24 @@ done
 json 'j.populations.reduce((a, b) => a + b) < 65536' -- shells --photo alpha.png -o shells/hard --json
 head -c 200 ramp.png >cut.png
 head -c 900 ramp.jpg >cut.jpg
-bad 1 'cut\.png: is no PNG or JPEG picture' shells --photo cut.png -o never
-bad 1 'cut\.jpg: ends after 900 bytes, in the middle of the picture' shells --photo cut.jpg -o never
+printf 'No picture.\n' >text.png
+convert -size 8193x2 xc:gray PNG24:wide.png
+# refused ARGUMENTS...: each of them, where its name is the last argument.
+refused() {
+    bad 1 'cut\.png: ends after 200 bytes, in the middle of the picture$' "$@" cut.png
+    bad 1 'cut\.jpg: ends after 900 bytes, in the middle of the picture$' "$@" cut.jpg
+    bad 1 'text\.png: is no PNG or JPEG picture: its 12 bytes begin with 4e 6f 20 70$' "$@" text.png
+    bad 1 'wide\.png: has 8193x2 pixels, of which a side may have 8192$' "$@" wide.png
+    bad 1 'no\.png: No such file or directory$' "$@" no.png
+}
+refused shells -o never --photo
+refused shells -o never --image
 bad 1 'none\.png: all of 9x7 pixels are transparent' shells --photo none.png -o never
+# 8k: cut into layers as it is, halved where it is drawn.
+convert -size 8192x24 plasma:gray-white -depth 8 PNG24:long.png
+json 'j.width === 8192 && j.height === 24' 'j.storedLayersBytes === 2 * 4 * 8192 * 24' \
+    -- shells --photo long.png --layers 2 -o shells/long --json
+[ "$(png_size shells/long/layer-02.png)" = 8192x24 ] || fail "layers of 8k"
 # The same in the fur.
 drawn() { json "$1" -- render tetra.obj --size 32x32 --samples 1 --repeat 1 -o s.png --json "${@:2}"; }
 drawn 'j.layers === 16 && j.textureBytes === 4 * 87381 && j.storedLayersBytes === 4096 * 1024' \
@@ -465,9 +480,19 @@ drawn 'j.textureBytes === 4 * 87381' --technique shells-instanced --shell-image 
 for name in black white brown dot deep grey alpha; do
     good render tetra.obj --size 32x32 --samples 1 -o s.png --technique shells --shell-photo $name.png
 done
-bad 1 'cut\.png: is no PNG or JPEG picture' render tetra.obj -o never.png --technique shells --shell-photo cut.png
-bad 1 'cut\.jpg: ends after 900 bytes, in the middle of the picture' \
-    render tetra.obj -o never.png --technique shells --shell-photo cut.jpg
+for kind in photo image; do
+    refused render tetra.obj -o never.png --technique shells --shell-$kind
+    good render tetra.obj --size 32x32 --samples 1 -o s.png --technique shells --shell-$kind long.png
+    grep -q '^8192x24 pixels are drawn as 4096x12$' out.txt || fail "render --shell-$kind: $(cat out.txt)"
+done
+for layers in 1 256; do
+    drawn "j.layers === $layers" --technique shells --layers $layers --shell-photo ramp.png
+done
+good render tetra.obj --size 32x32 --samples 1 -o s.png --technique shells --shell-photo ramp.png
+grep -q '^texture 256 KiB, with its mips 341 KiB; 16 stored layers would take 4096 KiB$' out.txt ||
+    fail "render --shell-photo: $(cat out.txt)"
+drawn 'j.layers === 16' --technique shells --layers 0 --shell-photo ramp.png
+bad 2 'render .*--layers' render tetra.obj -o never.png --technique shells --layers 257 --shell-photo ramp.png
 bad 1 'none\.png: all of 9x7 pixels are transparent' \
     render tetra.obj -o never.png --technique shells --shell-photo none.png
 bad 2 'render --shell-photo: needs a --technique of shells' render tetra.obj -o never.png --shell-photo ramp.png
@@ -477,7 +502,6 @@ bad 2 'render .*--shell-photo excludes --shell-noise' \
     render tetra.obj -o never.png --technique shells --shell-noise --shell-photo ramp.png
 bad 2 'render .*--shell-gap' render tetra.obj -o never.png --technique shells --shell-noise --shell-gap 0
 [ ! -e never.png ] || fail "a refused render wrote its picture"
-bad 1 'no\.png: ' shells --photo no.png -o never
 bad 2 'shells .*--layers: .*0' shells --photo ramp.png --layers 0 -o never
 bad 2 'shells .*--layers: .*257' shells --photo ramp.png --layers 257 -o never
 bad 2 'shells --clamp: 60 is not below 40' shells --photo ramp.png --clamp 60,40 -o never
@@ -508,7 +532,6 @@ json 'Math.abs(j.layers[0].coverage - 0.5) < 0.003' \
     -- shells --image ramp.png --raw --layers 1 -o shells/r --json
 json 'Math.abs(j.layers[0].coverage - 0.9 * 0.25) < 1e-4' \
     -- shells --image ramp.jpg --coverage 0.9 --layers 1 -o shells/i --json
-bad 1 'cut\.png: ' shells --image cut.png -o never
 
 # Wrong use of the program itself.
 bad 2 '.*--nonsense' --nonsense

@@ -103,16 +103,23 @@ TEST(Pixels, JpegsAreReadWithoutAlpha) {
 
 TEST(Pixels, WhatIsNoPictureIsRefusedInOneLine) {
     const TempFolder folder;
-    const std::string why = ": is no PNG or JPEG picture that can be read";
-    for (const std::string_view text :
-         {""sv, "hello"sv, k16Bits.substr(0, 20), k16Bits.substr(0, 50)}) {
+    const auto expectRefused = [&](std::string_view text, const std::string& why) {
         const std::string path = folder.write("a.png", text);
-        EXPECT_EQ(refusal([&] { readImage(path); }), path + why);
-    }
+        EXPECT_EQ(refusal([&] { readImage(path); }), path + ": " + why);
+    };
+    expectRefused("", "is no PNG or JPEG picture: it is empty");
+    expectRefused("hello", "is no PNG or JPEG picture: its 5 bytes begin with 68 65 6c 6c");
+    expectRefused(k16Bits.substr(0, 20), "ends after 20 bytes, in the middle of the picture");
+    expectRefused(k16Bits.substr(0, 50), "ends after 50 bytes, in the middle of the picture");
+    std::string wrong(k16Bits);
+    wrong[41] = '\x07';  // of the compressed pixels
+    expectRefused(wrong, "is damaged: its 85 bytes are no picture of 2x1 pixels");
     std::string huge(k16Bits);
-    huge[18] = huge[22] = '\x40';  // a side of 16386
-    const std::string path = folder.write("a.png", huge);
-    EXPECT_EQ(refusal([&] { readImage(path); }), path + why);
+    huge[18] = huge[22] = '\x40';  // sides of 16386 and 16385
+    expectRefused(huge, "is damaged: its 85 bytes have no header of a picture");
+    std::string wide(k16Bits);
+    wide[18] = '\x40';
+    expectRefused(wide, "has 16386x1 pixels, of which a side may have 8192");
     EXPECT_EQ(
         refusal([&] { readImage(folder.path("none.png")); }).rfind(folder.path("none.png"), 0), 0u);
     EXPECT_EQ(decodedSize(bytesOf(huge), 1 << 20), ivec2(0)) << "larger than its bytes can tell";

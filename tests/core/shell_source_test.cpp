@@ -113,14 +113,59 @@ TEST(ShellSource, EachRegionKeepsItsOwnTones) {
 }
 
 TEST(ShellSource, LargePhotographsAreHalvedUntilTheyFit) {
-    Image photo{ivec2(2100, 600), std::vector<vec4>(2100 * 600, vec4(0.25f, 0.25f, 0.25f, 1.0f))};
+    Image photo{ivec2(8192, 60), std::vector<vec4>(8192 * 60, vec4(0.25f, 0.25f, 0.25f, 1.0f))};
     photo.pixels[0] = vec4(0.0f);
     const Image drawn = drawnPhoto(std::move(photo));
-    EXPECT_EQ(drawn.size, ivec2(525, 150));
+    EXPECT_EQ(drawn.size, ivec2(4096, 30));
     for (const vec4 pixel : drawn.pixels) {
         EXPECT_EQ(pixel.a, 1.0f);  // what is left of some color is not transparent
         EXPECT_NEAR(pixel.g, 0.25f, 0.002f);
     }
+}
+
+// A wide one, so that it is small.
+TEST(ShellSource, WhatAPanelShowsOfALargePhotographHoldsTheSameTones) {
+    const Image fur = furPhoto(128, {0.9f, 0.5f, 0.2f});
+    Image photo{ivec2(8192, 128), {}};
+    photo.pixels.reserve(8192 * 128);
+    for (std::size_t y = 0; y < 128; ++y)
+        for (std::size_t x = 0; x < 8192; ++x)
+            photo.pixels.push_back(fur.pixels[128 * y + (x + x / 128) % 128]);
+    const test::TempFolder folder;
+    ShellRecipe recipe{.from = ShellRecipe::From::photo, .file = folder.path("wide.png")};
+    writeImage(recipe.file, photo);
+    const ShellPicture picture = shellPicture(recipe);
+    EXPECT_EQ(picture.texture->size, ivec2(4096, 64));
+    EXPECT_EQ(halvedText(*picture.texture), "8192x128 pixels are drawn as 4096x64");
+    EXPECT_EQ(picture.photo.size, ivec2(1024, 16));
+    const PhotoLayers shown = photoLayers(picture, recipe.photo);
+    const PhotoLayers all = photoLayers(drawnPhoto(photo), recipe.photo);
+    EXPECT_NEAR(shown.regions[0].low, all.regions[0].low, 0.02f * all.regions[0].low);
+    EXPECT_NEAR(shown.regions[0].high, all.regions[0].high, 0.02f * all.regions[0].high);
+    for (std::size_t k = 0; k < 16; ++k)
+        EXPECT_NEAR(static_cast<double>(shown.populations[k]) / (1024.0 * 16.0),
+                    static_cast<double>(all.populations[k]) / (4096.0 * 64.0), 0.01)
+            << k;
+}
+
+TEST(ShellSource, WhatFitsIsDrawnAsItIs) {
+    const test::TempFolder folder;
+    ShellRecipe recipe{.from = ShellRecipe::From::photo, .file = folder.path("a.png")};
+    writeImage(recipe.file, furPhoto(32));
+    EXPECT_EQ(halvedText(*shellPicture(recipe).texture), "");
+    recipe.from = ShellRecipe::From::noise;
+    EXPECT_EQ(halvedText(*shellPicture(recipe).texture), "");
+}
+
+TEST(ShellSource, ReadingThatIsCancelledEnds) {
+    const test::TempFolder folder;
+    ShellRecipe recipe{.from = ShellRecipe::From::photo, .file = folder.path("a.png")};
+    writeImage(recipe.file, furPhoto(32));
+    Progress progress;
+    shellPicture(recipe, &progress);
+    EXPECT_EQ(progress.done, 1.0f);
+    progress.cancel = true;
+    EXPECT_THROW(shellPicture(recipe, &progress), Cancelled);
 }
 
 TEST(ShellSource, HeightsAreThoseOfTheMap) {
@@ -148,7 +193,7 @@ TEST(ShellSource, LayersLieEvenlyFromTheTipsToTheSkin) {
 
 TEST(ShellSource, TonesAreThoseOfTheLayersAndOfOneLuminanceAllIsInTheFirst) {
     ShellRecipe recipe{.from = ShellRecipe::From::photo};
-    ShellPicture picture{furPhoto(32), nullptr};
+    ShellPicture picture{.photo = furPhoto(32)};
     PhotoLayers layers = photoLayers(picture.photo, recipe.photo);
     ShellSource source = shellSource(picture, recipe, layers, 2.0f);
     EXPECT_EQ(source.tones[0], vec2(layers.regions[0].low, layers.regions[0].high));

@@ -277,7 +277,7 @@ TEST(Layout, BuffersOfTheShellPassLieAsTheDriverReadsThem) {
           FIELD(ShellVertex, overAcross),  FIELD(ShellVertex, bendYY),
           FIELD(ShellVertex, underAcross), FIELD(ShellVertex, bendYZ),
           FIELD(ShellVertex, place),       FIELD(ShellVertex, bendZZ),
-          FIELD(ShellVertex, tint),        FIELD(ShellVertex, pad0),
+          FIELD(ShellVertex, tint),        FIELD(ShellVertex, combed),
           FIELD(ShellVertex, turn)}},
         {"ShellCorners",
          "shellCorners",
@@ -322,7 +322,8 @@ TEST(Layout, BuffersOfTheShellPassLieAsTheDriverReadsThem) {
                     Field{"mapLayers", offsetof(ShellMapData, layers)},
                     Field{"mapPad0", offsetof(ShellMapData, pad0)},
                     Field{"mapCoverage", offsetof(ShellMapData, coverage)},
-                    Field{"mapTaper", offsetof(ShellMapData, taper)}});
+                    Field{"mapTaper", offsetof(ShellMapData, taper)},
+                    Field{"mapGap", offsetof(ShellMapData, gap)}});
 }
 
 }  // namespace

@@ -34,14 +34,13 @@ struct Photo {
     ShellSource source;
 };
 
-Photo photoOf(Image image, int layers, bool twoColors = false) {
+Photo photoOf(const Image& image, int layers, bool twoColors = false) {
     ShellRecipe recipe{.from = ShellRecipe::From::photo};
     recipe.photo.layers = layers;
     recipe.photo.twoColors = twoColors;
-    ShellPicture picture{std::move(image), nullptr};
-    picture.texture = std::make_shared<ShellTexture>(photoTexture(
-        picture.photo, twoColors ? colorRegions(picture.photo) : std::vector<unsigned char>()));
-    Photo photo{photoLayers(picture.photo, recipe.photo), {}};
+    const ShellPicture picture = photoPicture(std::make_shared<ShellTexture>(
+        photoTexture(image, twoColors ? colorRegions(image) : std::vector<unsigned char>())));
+    Photo photo{photoLayers(picture, recipe.photo), {}};
     photo.source = shellSource(picture, recipe, photo.layers, 1.0f);
     return photo;
 }
@@ -49,7 +48,7 @@ Photo photoOf(Image image, int layers, bool twoColors = false) {
 ShellSource noiseOf(float coverage, uint layers) {
     ShellRecipe recipe{.from = ShellRecipe::From::noise, .cut = {.coverage = coverage}};
     recipe.photo.layers = static_cast<int>(layers);
-    return shellSource(recipe, 1.0f);
+    return shellSource(shellPicture(recipe), recipe, 1.0f);
 }
 
 // What the shader says of so many places, in the words of its last part.
@@ -225,6 +224,144 @@ TEST(ShellsOfAPicture, APhotographTakesOneTextureHoweverManyLayersAreDrawn) {
         EXPECT_EQ(stats.layers, layers);
         EXPECT_EQ(stats.textureBytes, 349524u);
     }
+}
+
+// A ball without flat sides.
+Document fineBall() {
+    Document document = test::evenDocument(test::ball(4));
+    document.groom =
+        test::evenGroom(*document.skin, {vec3(0.0f, 0.0f, 0.5f), 0.2f, vec3(1.0f), 1.0f});
+    return document;
+}
+
+// As far as single texels go where hair leans; the same picture on other places of the skin is the
+// measure.
+TEST(ShellsOfAPicture, OnePassShowsWhatTheSkinDrawnForEachLayerShows) {
+    const Document document = fineBall();
+    Renderer renderer;
+    View view = test::ballView(document, 128);
+    view.samples = 4;
+    const auto shown = [&](ShellSource source, Shells shells, float side) {
+        source.side = side;
+        view.shells = shells;
+        view.maps[0] = view.maps[1] = source;
+        return test::linear(test::picture(renderer, document, view));
+    };
+    for (const int layers : {1, 16}) {
+        const ShellSource photo = photoOf(furPhoto(64, true), layers, true).source;
+        const ShellSource noise = noiseOf(0.7f, static_cast<uint>(layers));
+        for (const ShellSource* source : {&photo, &noise}) {
+            const std::vector<float> layered = shown(*source, Shells::instanced, 0.8f);
+            const double apart = test::distanceOf(layered, shown(*source, Shells::instanced, 0.7f));
+            const double error = test::distanceOf(layered, shown(*source, Shells::swept, 0.8f));
+            std::printf("%d layers: RMSE %.4f, of other places %.4f\n", layers, error, apart);
+            EXPECT_LT(error, (layers == 1 ? 0.4 : 0.65) * apart);
+        }
+        view.shells = Shells::instanced;
+        view.maps[0] = view.maps[1] = photo;  // has no holes
+        const double layered = test::coveredPixels(renderer, document, view);
+        view.shells = Shells::swept;
+        const double one = test::coveredPixels(renderer, document, view);
+        std::printf("covers %.3f times as much\n", one / layered);
+        if (layers > 1) {
+            EXPECT_NEAR(one / layered, 1.0, 0.03);
+        }
+    }
+}
+
+// Of what is covered where all of the picture grows.
+TEST(ShellsOfAPicture, PaintedDensityThinsEveryLayer) {
+    Document document = patch();
+    Renderer renderer;
+    View view = over(90.0f);
+    Photo photo = photoOf(furPhoto(256), 16);
+    photo.source.side = 0.2f;
+    const auto& counts = photo.layers.populations;
+    ShellSource noise = noiseOf(0.8f, 8);
+    noise.side = 0.1f;
+    const auto seenOf = [&](const ShellSource& source, float density) {
+        document.groom =
+            test::evenGroom(*document.skin, {vec3(0.0f, 1.0f, 0.0f), 0.02f, vec3(1.0f), density});
+        view.maps[0] = source;
+        return test::coveredPixels(renderer, document, view);
+    };
+    for (const float density : {0.0f, 0.25f, 0.75f, 1.0f}) {
+        // Of a photograph those that reach so far up are left.
+        const auto standing = static_cast<std::ptrdiff_t>(16.0f * density);
+        const double ofPhoto = static_cast<double>(std::accumulate(
+                                   counts.begin(), counts.begin() + standing, std::size_t{0})) /
+                               (256.0 * 256.0);
+        for (const Shells shells : {Shells::swept, Shells::instanced}) {
+            view.shells = shells;
+            const double all = seenOf(photo.source, 1.0f);
+            const double ofHairs = seenOf(noise, density) / all;
+            const double seen = seenOf(photo.source, density) / all;
+            std::printf("density %.2f: noise covers %.3f, the photograph %.3f of %.3f\n",
+                        static_cast<double>(density), ofHairs, seen, ofPhoto);
+            EXPECT_NEAR(ofHairs, 0.8 * static_cast<double>(density), 0.03);
+            EXPECT_NEAR(seen, ofPhoto, 0.04);
+        }
+    }
+}
+
+// A ball with upright fur is a disc in the picture, so much greater than the ball.
+TEST(ShellsOfAPicture, PaintedLengthIsHowFarLayersStandOff) {
+    Document document = fineBall();
+    document.fur.gravity = 0.0f;
+    document.fur.share = 1.0f;
+    document.fur.over.stiffness = document.fur.over.directionWeight = 1.0f;
+    document.fur.over.relativeLength = 1.0f;
+    Renderer renderer;
+    View view = test::ballView(document, 128);
+    view.camera.orthographic = true;
+    view.samples = 4;
+    const float tone = 0.5f;  // a photograph of one tone is all in the outermost layer
+    const ShellSource even =
+        photoOf(Image{ivec2(8), std::vector<vec4>(64, vec4(vec3(tone), 1.0f))}, 4).source;
+    for (const Shells shells : {Shells::swept, Shells::instanced}) {
+        view.shells = shells;
+        view.maps[0] = even;
+        const auto radius = [&](float furLength) {
+            document.groom =
+                test::evenGroom(*document.skin, {vec3(0.0f), furLength, vec3(1.0f), 1.0f});
+            return std::sqrt(test::coveredPixels(renderer, document, view));
+        };
+        EXPECT_EQ(radius(0.0f), 0.0);
+        const double none = radius(1e-3f), half = radius(0.1f), whole = radius(0.2f);
+        std::printf("radius %.3f, %.3f of it with half and %.3f with all of the fur\n", none,
+                    half / none, whole / none);
+        // Layer 1 of 4 lies at three quarters.
+        EXPECT_NEAR(half / none, 1.075, 0.02);
+        EXPECT_NEAR(whole / none, 1.15, 0.02);
+    }
+}
+
+TEST(ShellsOfAPicture, OddBodiesAreDrawn) {
+    const Document ball = test::furryBall(500);
+    Renderer renderer;
+    View view = test::ballView(ball, 24);
+    const auto draws = [&](const Document& document) {
+        const double covered = test::coveredPixels(renderer, document, view);
+        EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+        return covered;
+    };
+    for (const ShellSource& source : {photoOf(furPhoto(32), 16).source, noiseOf(1.0f, 16)})
+        for (const Shells shells : {Shells::swept, Shells::instanced}) {
+            view = test::ballView(ball, 24);
+            view.shells = shells;
+            view.maps[0] = view.maps[1] = source;
+            view.maps[0].side = view.maps[1].side = 0.3f;
+            Document longer = ball;  // than the body
+            longer.groom =
+                test::evenGroom(*ball.skin, {vec3(0.0f, 0.5f, 0.5f), 4.0f, vec3(1.0f), 1.0f});
+            EXPECT_GT(draws(longer), 100.0);
+            const Document needle = test::evenDocument(test::oneMesh(
+                {{-1.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {1.0f, 1e-6f, 0.0f}}, {{0, 1, 2}}));
+            draws(needle);
+            view.camera.target = vec3(0.0f);  // from inside
+            view.camera.distance = 0.2f;
+            draws(ball);
+        }
 }
 
 TEST(ShellsOfAPicture, OddPicturesAreDrawn) {

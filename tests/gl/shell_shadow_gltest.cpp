@@ -124,8 +124,8 @@ std::vector<float> logsOfShader(const Coats& coats, vec3 light, const std::vecto
         "Ground g;\ng.density = 1.0;\ng.furLength = 0.0;\nShadowRay ray;\n"
         "ray.root = vec3(inputs[i].x, 0.0, inputs[i].y);\nray.normal = vec3(0.0, 1.0, 0.0);\n"
         "ray.toKey = " +
-            text(light) + ";\nHair hair = hairOf(" + text(coats.a) + ", " + text(coats.b) +
-            ", ray.normal);\nray.aside = asideAt(hair, inputs[i].z);\n"
+            text(light) + ";\nHair hair = hairOf(Curve(" + text(coats.a) + ", " + text(coats.b) +
+            "), 0.0, ray.normal, 0.0);\nray.aside = asideAt(hair, inputs[i].z);\n"
             "ray.height = heightAt(hair, inputs[i].z);\nray.highest = " +
             std::to_string(highest) +
             ";\n"
