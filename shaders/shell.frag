@@ -15,6 +15,7 @@
 #include "shell_data.glsl"
 #include "shell_ground.glsl"
 #include "shell_hair.glsl"
+#include "shell_curve.glsl"
 #include "shell_shade.glsl"
 
 layout(binding = 4) uniform usamplerBuffer cornerRows;  // a Corner each
@@ -64,40 +65,6 @@ float arcOf(Ray r, float way) {
     return way * r.sine / (u * (1.0 + 0.28 * x * x));  // atan(x) = x / (1 + 0.28 x^2)
 }
 
-// Mean hair of a coat over a skin of unit normal n.
-struct Hair {
-    vec3 a, b;   // m, along the skin: t(1-t) a + t^2 b
-    float za;    // m, over the skin
-    float zb;
-};
-
-Hair hairOf(vec3 a, vec3 b, vec3 n) {
-    Hair h;
-    h.za = dot(a, n);
-    h.zb = dot(b, n);
-    h.a = a - h.za * n;
-    h.b = b - h.zb * n;
-    return h;
-}
-
-float heightAt(Hair h, float t) { return max(0.0, t * ((1.0 - t) * h.za + t * h.zb)); }
-vec3 asideAt(Hair h, float t) { return t * ((1.0 - t) * h.a + t * h.b); }
-
-// How hairs lean apart: together with their neighbors, so that none has to be looked for.
-struct Stray {
-    float reach;      // m, at the tip
-    float perMetre;   // waves
-};
-
-// Waves of ten hairs; as far as a random end takes a hair on average, but never so far that hairs
-// would fold over each other.
-Stray strayOf(ShellCoat coat, float furLength) {
-    const float kMeanOfBall = 0.4472136;  // root mean square of each coordinate, 1 / sqrt(5)
-    const float kMeanOfWave = 0.7302967;  // of a parabola's waves, sqrt(8 / 15)
-    float wave = 10.0 * coat.period / sqrt(float(kTileHairs));
-    return Stray(min(coat.stray * furLength * (kMeanOfBall / kMeanOfWave), 0.1 * wave), 1.0 / wave);
-}
-
 // The place on the skin whose hair the ray touches with its point at t.
 vec3 rootAt(Ray ray, vec3 place, Hair hair, Stray stray, vec3 n, vec3 ahead, float way, float t) {
     vec3 root = arcOf(ray, way) * ahead - asideAt(hair, t);
@@ -122,8 +89,7 @@ float stepsFor(Ray ray, ShellCoat coat, float highest, float spacings) {
 Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, Ground g, vec3 ahead, float pixels,
           Hit hit) {
     vec3 n = g.normal;
-    // Hair that hangs is highest before its tip; what is beyond comes in no order.
-    float peak = hair.za > 2.0 * hair.zb ? 0.5 * hair.za / (hair.za - hair.zb) : 1.0;
+    float peak = peakOf(hair);  // what is beyond comes in no order
     float highest = heightAt(hair, peak);
     Level level = levelFor(pixels);
     Stray stray = strayOf(coat, g.furLength);
@@ -136,7 +102,7 @@ Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, Groun
     // The normal where the roots are, about.
     Axes axes = axesOf(normalize(n + ray.bend * (0.5 * (slab.to + end) - place)), g.density);
 
-    float spacing = coat.period * exp2(0.5 * float(level.tile)) / sqrt(float(kTileHairs));
+    float spacing = spacingOf(coat, level);
     float asked = stepsFor(ray, coat, highest, distance(slab.to, end) / spacing);
     uint steps = uint(clamp(ceil(asked), 1.0, float(kMostSteps)));
     uint last = skin.there ? steps : 2u * steps;  // or out of the fur again

@@ -51,8 +51,10 @@ enum Storage : unsigned {
     seen = 11,          // never with lines
     shellCorners = 11,  // never with seen
     groups = 12,
+    fins = 12,  // never with groups
     segmentOf = 13,
     strips = 14,
+    edges = 14,  // never with strips
     rodTable = 15
 };
 enum Texture : unsigned { baseColors = 0, skinDepth = 1, shellPicture = 2 };

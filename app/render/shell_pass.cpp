@@ -35,6 +35,11 @@ float periodOf(float perArea) {
     return std::sqrt(static_cast<float>(kTileHairs) / std::max(kTileExcess * perArea, 1e-12f));
 }
 
+// Coats that have fins, as bits of FrameData::coats.
+uint finnedOf(const View& view) {
+    return (view.over == DrawnAs::fins ? 1u : 0u) | (view.under == DrawnAs::fins ? 2u : 0u);
+}
+
 // Tangent, normal and binormal of a vertex, the tangent towards the first of its ring.
 mat3 axesAt(const Skin& skin, uint v) {
     const vec3 n = safeUnit(skin.vertices[v].normal, vec3(0.0f, 1.0f, 0.0f));
@@ -292,6 +297,13 @@ void ShellPass::drawLayers(const Mirror& mirror, uint coats) {
     }
 }
 
+void ShellPass::drawFins(const Mirror& mirror, const std::shared_ptr<const Skin>& atRest,
+                         uint coats, const Canvas& canvas) {
+    if (!fins_) fins_.emplace();
+    fins_->draw(mirror, atRest, coats, canvas);
+    finned_ = true;
+}
+
 void ShellPass::draw(const Mirror& mirror, const Document& document, const View& view,
                      const FrameData& frame, const gl::Buffer& frameBlock, const Canvas& canvas) {
     const Fur& fur = document.fur;
@@ -305,6 +317,7 @@ void ShellPass::draw(const Mirror& mirror, const Document& document, const View&
     data.leastWidth = view.detail.rule == Detail::Rule::all ? 0.0f : 1.0f;
     layers_ = 0;
     textureBytes_ = 0;
+    finned_ = false;
     if (!(frame.hairsPerArea > 0.0f) || data.coats == 0) return;
     block_.upload(std::span<const ShellData>(&data, 1));
 
@@ -333,6 +346,8 @@ void ShellPass::draw(const Mirror& mirror, const Document& document, const View&
             drawLayers(mirror, data.coats);
         else
             drawMarched(mirror, canvas, view.shells == Shells::plain);
+        const uint finned = data.coats & finnedOf(view);
+        if (finned != 0) drawFins(mirror, document.skin, finned, canvas);
     }
     // A photograph shows all of a fur.
     if (mapped == 3u && view.maps[0] == view.maps[1] && view.maps[0].texture->photo) mapped = 1u;
@@ -343,8 +358,8 @@ void ShellPass::draw(const Mirror& mirror, const Document& document, const View&
 }
 
 std::size_t ShellPass::bytes() const {
-    return tile_.bytes() + pictures_.bytes() + vertices_.bytes() + rest_.bytes() +
-           curvatures_.bytes() + rodTable_.bytes();
+    return (fins_ ? fins_->bytes() : 0) + tile_.bytes() + pictures_.bytes() + vertices_.bytes() +
+           rest_.bytes() + curvatures_.bytes() + rodTable_.bytes();
 }
 
 }  // namespace pelage

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/render/canvas.h"
+#include "app/render/fin_pass.h"
 #include "app/render/frame_data.h"
 #include "app/render/mirror.h"
 #include "app/render/program.h"
@@ -24,9 +25,10 @@ public:
     void draw(const Mirror& mirror, const Document& document, const View& view,
               const FrameData& frame, const gl::Buffer& frameBlock, const Canvas& canvas);
 
-    // Of the last draw: layers, and bytes of the tile of roots or the pictures, all levels.
+    // Of the last draw: layers, bytes of the tile of roots or the pictures, all levels, and fins.
     uint layers() const { return layers_; }
     std::size_t textureBytes() const { return textureBytes_; }
+    uint fins() const { return finned_ ? fins_->count() : 0; }
     std::size_t bytes() const;
 
 private:
@@ -56,13 +58,17 @@ private:
     void drawMap(const Mirror& mirror, const ShellSource& source, uint coat);
     void drawLayer(const Mirror& mirror, const Program& program, float t) const;
     void drawLayers(const Mirror& mirror, uint coats);
+    void drawFins(const Mirror& mirror, const std::shared_ptr<const Skin>& atRest, uint coats,
+                  const Canvas& canvas);
 
     struct March {
         Program fromOver, fromSkin;
     };
     Program curves_, rodCurves_, over_, skin_, show_, seenOut_;
-    std::optional<Program> layer_, map_;  // made when they are first needed, as is a march
+    std::optional<Program> layer_, map_;  // made when they are first needed, as what follows
     std::optional<March> swept_, plain_;
+    std::optional<FinPass> fins_;
+    bool finned_ = false;
     gl::VertexArray layerArray_, surfaceArray_;
     gl::Buffer tile_, block_, mapBlock_, vertices_, corners_, indices_, rest_, curvatures_,
         rodTable_;

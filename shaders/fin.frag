@@ -1,0 +1,119 @@
+// fin.frag -- the hairs that stand near an edge of the silhouette, where the view goes through the
+// fin.
+//
+// The view runs along the skin there: what it meets at t are the roots within a hair's radius of
+// its way on the skin, in the same tile as those of shells. The way is as long as the edge stands
+// for, and no longer than hairs reach so high on a skin that bends away.
+#include "frame.glsl"
+#include "strand.glsl"
+#include "fiber.glsl"
+#include "shell_data.glsl"
+#include "shell_ground.glsl"
+#include "shell_hair.glsl"
+#include "shell_curve.glsl"
+#include "shell_shade.glsl"
+#include "fin.glsl"
+
+in vec3 place;
+in vec2 at;
+in vec2 uv;
+in vec3 cornerColor;
+flat in uvec2 ends;
+flat in uint material;
+flat in uint coatNumber;
+flat in float weight;
+flat in float reach;
+layout(binding = 1) uniform sampler2D skinDepth;
+out vec4 color;
+
+const uint kMostSlabs = 12u;
+
+float depthOf(vec3 p) {
+    vec4 clip = frame.viewProjection * vec4(p, 1.0);
+    return clamp(0.5 + 0.5 * clip.z / clip.w, 0.0, 1.0);
+}
+
+// Of the coat's hair; as a Ground has them.
+vec3 endOf(ShellVertex v, float t) {
+    vec3 a = coatNumber == 0u ? v.overA : v.underA;
+    vec3 b = coatNumber == 0u ? v.overB : v.underB;
+    return v.position + turnedBack(t * ((1.0 - t) * a + t * b), v.turn);
+}
+
+// The first hair of the fin behind a pixel, so wide to both sides. Its way is that on the skin.
+Hit firstHit(Ground g, ShellCoat coat, vec3 ahead, float wide, float stretch) {
+    float t = at.y;
+    Level level = levelFor(coat.width * pixelsPerMetreAt(place));
+    Axes axes = axesOf(g.normal, g.density);
+    Stray stray = strayOf(coat, g.furLength);
+    vec3 lean = waves(stray.perMetre * g.place);
+    vec3 middle = g.place - (t * stray.reach) * (lean - dot(lean, g.normal) * g.normal);
+    uint slabs = uint(clamp(ceil(2.0 * wide / spacingOf(coat, level)), 1.0, float(kMostSlabs)));
+    vec3 step = ahead * (2.0 * wide / float(slabs));
+    Slab slab;
+    slab.t = vec2(t);
+    slab.to = middle - wide * ahead;
+    slab.stretch = stretch;
+    Hit hit;
+    hit.way = 1e30;
+    hit.t = t;
+    hit.over = coatNumber == 0u;
+    for (uint i = 0u; i < slabs; ++i) {
+        slab.from = slab.to;
+        slab.to += step;
+        float first = 2.0;
+        for (uint k = 0u, axis = axes.first; k < axes.count; ++k) {
+            TileHit one = tileHit(slab, axis, coatNumber, coat, level, axes);
+            if (one.along < first && abs(one.across) <= finWidth(weight, rand01(one.id))) {
+                first = one.along;
+                hit.across = one.across;
+                hit.id = one.id;
+                hit.root = mix(slab.from, slab.to, one.along);
+            }
+            axis += axes.step;
+            axis -= axis > 2u ? 3u : 0u;
+        }
+        if (first <= 1.0) {
+            hit.way = (float(i) + first) * 2.0 * wide / float(slabs) - wide;
+            break;
+        }
+    }
+    return hit;
+}
+
+void main() {
+    vec3 eye = toEye(place);
+    // Behind the skin, however far before the fin its hair stands.
+    if (depthOf(place + 2.0 * reach * eye) > texelFetch(skinDepth, ivec2(gl_FragCoord.xy), 0).r)
+        discard;
+    ShellVertex p = shellVertex(ends.x);
+    ShellVertex q = shellVertex(ends.y);
+    Ground g = groundOf(p, q, q, vec3(1.0 - at.x, at.x, 0.0),
+                        cornerColor * materialColor(material, uv));
+    g.outer = place;
+    g.eye = turned(eye, g.turn);
+    ShellCoat coat = shellUnder;
+    if (coatNumber == 0u) coat = shellOver;
+    Hair hair = hairOf(coatNumber == 0u ? g.overA : g.underA, coatNumber == 0u ? g.overB : g.underB,
+                       g.normal);
+
+    vec3 across = dot(g.normal, g.eye) * g.normal - g.eye;
+    float sine = max(length(across), 0.5);
+    vec3 ahead = safeUnit(across, vec3(0.0));
+    // On a ball hair reaches so high so far to either side.
+    float room = max(heightAt(hair, peakOf(hair)) - heightAt(hair, at.y), 0.0);
+    float wide = min(reach, sqrt(2.0 * room / max(g.bend, 1e-6 / g.top)));
+
+    // A hair that leans across the ray is cut into an ellipse; hairs stand apart as the fin spreads.
+    vec3 slope = (1.0 - 2.0 * at.y) * hair.a + (2.0 * at.y) * hair.b;
+    float rise = (1.0 - 2.0 * at.y) * hair.za + (2.0 * at.y) * hair.zb;
+    float slant = dot(g.normal, cross(slope, ahead));
+    float stretch = 1.0 + min(slant * slant / max(rise * rise, 1e-20), 15.0);
+    float spread = distance(endOf(p, at.y), endOf(q, at.y)) / distance(p.position, q.position);
+    stretch /= clamp(spread * spread, 0.1, 25.0);
+
+    Hit hit = firstHit(g, coat, ahead, wide, stretch);
+    if (hit.way > 1e29) discard;
+    color = vec4(radianceOf(hit, g), 1.0);
+    gl_FragDepth = depthOf(place - (hit.way / sine) * eye);
+}
