@@ -14,16 +14,15 @@
 #include "shell_shade.glsl"
 #include "fin.glsl"
 
-in vec3 place;
-in vec2 at;
+in Ground ground;
 in vec2 uv;
-in vec3 cornerColor;
-flat in uvec2 ends;
+in float at;
 flat in uint material;
 flat in uint coatNumber;
 flat in float weight;
 flat in float reach;
 layout(binding = 1) uniform sampler2D skinDepth;
+layout(binding = 2) uniform sampler2D depths;  // of what is in the picture
 out vec4 color;
 
 const uint kMostSlabs = 12u;
@@ -33,30 +32,22 @@ float depthOf(vec3 p) {
     return clamp(0.5 + 0.5 * clip.z / clip.w, 0.0, 1.0);
 }
 
-// Of the coat's hair; as a Ground has them.
-vec3 endOf(ShellVertex v, float t) {
-    vec3 a = coatNumber == 0u ? v.overA : v.underA;
-    vec3 b = coatNumber == 0u ? v.overB : v.underB;
-    return v.position + turnedBack(t * ((1.0 - t) * a + t * b), v.turn);
-}
-
-// The first hair of the fin behind a pixel, so wide to both sides. Its way is that on the skin.
-Hit firstHit(Ground g, ShellCoat coat, vec3 ahead, float wide, float stretch) {
-    float t = at.y;
-    Level level = levelFor(coat.width * pixelsPerMetreAt(place));
+// The first hair of the fin behind a pixel, so deep to both sides. Its way is that on the skin.
+Hit firstHit(Ground g, ShellCoat coat, vec3 ahead, float deep, float stretch) {
+    Level level = levelFor(coat.width * pixelsPerMetreAt(g.outer));
     Axes axes = axesOf(g.normal, g.density);
     Stray stray = strayOf(coat, g.furLength);
     vec3 lean = waves(stray.perMetre * g.place);
-    vec3 middle = g.place - (t * stray.reach) * (lean - dot(lean, g.normal) * g.normal);
-    uint slabs = uint(clamp(ceil(2.0 * wide / spacingOf(coat, level)), 1.0, float(kMostSlabs)));
-    vec3 step = ahead * (2.0 * wide / float(slabs));
+    vec3 middle = g.place - (at * stray.reach) * (lean - dot(lean, g.normal) * g.normal);
+    uint slabs = uint(clamp(ceil(2.0 * deep / spacingOf(coat, level)), 1.0, float(kMostSlabs)));
+    vec3 step = ahead * (2.0 * deep / float(slabs));
     Slab slab;
-    slab.t = vec2(t);
-    slab.to = middle - wide * ahead;
+    slab.t = vec2(at);
+    slab.to = middle - deep * ahead;
     slab.stretch = stretch;
     Hit hit;
     hit.way = 1e30;
-    hit.t = t;
+    hit.t = at;
     hit.over = coatNumber == 0u;
     for (uint i = 0u; i < slabs; ++i) {
         slab.from = slab.to;
@@ -74,7 +65,7 @@ Hit firstHit(Ground g, ShellCoat coat, vec3 ahead, float wide, float stretch) {
             axis -= axis > 2u ? 3u : 0u;
         }
         if (first <= 1.0) {
-            hit.way = (float(i) + first) * 2.0 * wide / float(slabs) - wide;
+            hit.way = (float(i) + first) * 2.0 * deep / float(slabs) - deep;
             break;
         }
     }
@@ -82,38 +73,39 @@ Hit firstHit(Ground g, ShellCoat coat, vec3 ahead, float wide, float stretch) {
 }
 
 void main() {
-    vec3 eye = toEye(place);
-    // Behind the skin, however far before the fin its hair stands.
-    if (depthOf(place + 2.0 * reach * eye) > texelFetch(skinDepth, ivec2(gl_FragCoord.xy), 0).r)
-        discard;
-    ShellVertex p = shellVertex(ends.x);
-    ShellVertex q = shellVertex(ends.y);
-    Ground g = groundOf(p, q, q, vec3(1.0 - at.x, at.x, 0.0),
-                        cornerColor * materialColor(material, uv));
-    g.outer = place;
-    g.eye = turned(eye, g.turn);
+    Ground g = ground;
+    // However far before the fin its hair stands, it is hidden; or shells show this fur here.
+    vec3 eye = toEye(g.outer);
+    float shown = texelFetch(depths, ivec2(gl_FragCoord.xy), 0).r;
+    bool hairy = shown < texelFetch(skinDepth, ivec2(gl_FragCoord.xy), 0).r;
+    if (depthOf(g.outer + 2.0 * reach * eye) > shown) discard;
+    if (hairy && depthOf(g.outer - (g.top + 2.0 * reach) * eye) > shown) discard;
+
+    g.normal = safeUnit(g.normal, vec3(0.0, 1.0, 0.0));
+    g.eye = safeUnit(g.eye, g.normal);
+    g.bare *= materialColor(material, uv);
     ShellCoat coat = shellUnder;
     if (coatNumber == 0u) coat = shellOver;
-    Hair hair = hairOf(coatNumber == 0u ? g.overA : g.underA, coatNumber == 0u ? g.overB : g.underB,
-                       g.normal);
-
+    Hair hair = hairOf(coatNumber == 0u ? g.overA : g.underA,
+                       coatNumber == 0u ? g.overB : g.underB, g.normal);
     vec3 across = dot(g.normal, g.eye) * g.normal - g.eye;
     float sine = max(length(across), 0.5);
     vec3 ahead = safeUnit(across, vec3(0.0));
     // On a ball hair reaches so high so far to either side.
-    float room = max(heightAt(hair, peakOf(hair)) - heightAt(hair, at.y), 0.0);
-    float wide = min(reach, sqrt(2.0 * room / max(g.bend, 1e-6 / g.top)));
+    float height = heightAt(hair, at);
+    float room = max(heightAt(hair, peakOf(hair)) - height, 0.0);
+    float deep = min(reach, sqrt(2.0 * room / max(g.bend, 1e-6 / g.top)));
 
-    // A hair that leans across the ray is cut into an ellipse; hairs stand apart as the fin spreads.
-    vec3 slope = (1.0 - 2.0 * at.y) * hair.a + (2.0 * at.y) * hair.b;
-    float rise = (1.0 - 2.0 * at.y) * hair.za + (2.0 * at.y) * hair.zb;
+    // As in shell.frag.
+    vec3 slope = (1.0 - 2.0 * at) * hair.a + (2.0 * at) * hair.b;
+    float rise = (1.0 - 2.0 * at) * hair.za + (2.0 * at) * hair.zb;
     float slant = dot(g.normal, cross(slope, ahead));
     float stretch = 1.0 + min(slant * slant / max(rise * rise, 1e-20), 15.0);
-    float spread = distance(endOf(p, at.y), endOf(q, at.y)) / distance(p.position, q.position);
-    stretch /= clamp(spread * spread, 0.1, 25.0);
+    float spread = max(1.0 + g.bendAcross * height, 0.3);
+    stretch /= spread * spread;
 
-    Hit hit = firstHit(g, coat, ahead, wide, stretch);
+    Hit hit = firstHit(g, coat, ahead, deep, stretch);
     if (hit.way > 1e29) discard;
     color = vec4(radianceOf(hit, g), 1.0);
-    gl_FragDepth = depthOf(place - (hit.way / sine) * eye);
+    gl_FragDepth = depthOf(g.outer - (hit.way / sine) * eye);
 }

@@ -3,10 +3,10 @@
 
 // One for each edge and coat that has a fin in this view.
 struct Fin {
-    uint side;     // half-edge 3 t + k, from corner k of triangle t to its next (core/half_edges.h)
-    uint coat;     // 0 over, 1 under
+    uint edge;     // 2 side + coat: half-edge (core/half_edges.h), 0 over and 1 under
     float weight;  // share of its hairs that is drawn
     float reach;   // m, from the edge to either side, that it stands for
+    float wide;    // times as long as the edge: it stands for others too
 };
 layout(std430, binding = 12) buffer Fins {
     uint stripVertices;  // of each: the arguments of an indirect draw
@@ -16,7 +16,7 @@ layout(std430, binding = 12) buffer Fins {
     Fin fins[];
 };
 
-const uint kFinQuads = 4u;  // of a strip, from root to tip
+const uint kFinQuads = 3u;  // of a strip, from root to tip
 
 // Share of the hairs that the fin of an edge has, whose normal has this cosine with the view.
 float finWeight(float cosine) { return 1.0 - smoothstep(0.0, 0.35, abs(cosine)); }

@@ -5,11 +5,9 @@
 #include "shell_ground.glsl"
 #include "fin.glsl"
 
-out vec3 place;  // m, world
-out vec2 at;     // share of the way along the edge; t of the hair
+out Ground ground;  // of the end; its outer place is on the fin
 out vec2 uv;
-out vec3 cornerColor;
-flat out uvec2 ends;  // skin vertices
+out float at;  // t of the hair
 flat out uint material;
 flat out uint coatNumber;
 flat out float weight;
@@ -17,20 +15,25 @@ flat out float reach;
 
 void main() {
     Fin fin = fins[gl_InstanceID];
-    uint end = uint(gl_VertexID) & 1u;
-    at = vec2(float(end), float(uint(gl_VertexID) >> 1u) / float(kFinQuads));
-    uint next = nextOf(fin.side);
-    ends = uvec2(beginOf(fin.side), beginOf(next));
-    ShellVertex v = shellVertex(ends[end]);
-    vec3 a = fin.coat == 0u ? v.overA : v.underA;
-    vec3 b = fin.coat == 0u ? v.overB : v.underB;
-    place = v.position + turnedBack(at.y * ((1.0 - at.y) * a + at.y * b), v.turn);
-    Corner corner = corners[sourceTriangles[end == 0u ? fin.side : next]];
+    uint side = fin.edge >> 1u;
+    uint next = nextOf(side);
+    bool begins = (uint(gl_VertexID) & 1u) == 0u;
+    Corner corner = corners[sourceTriangles[begins ? side : next]];
+    ShellVertex v = shellVertex(corner.skinVertex);
+    ShellVertex other = shellVertex(beginOf(begins ? next : side));
+    coatNumber = fin.edge & 1u;
+    at = float(uint(gl_VertexID) >> 1u) / float(kFinQuads);
+    vec3 a = coatNumber == 0u ? v.overA : v.underA;
+    vec3 b = coatNumber == 0u ? v.overB : v.underB;
+    vec3 hair = turnedBack(at * ((1.0 - at) * a + at * b), v.turn);
+    ground = groundOf(v, v, v, vec3(1.0, 0.0, 0.0), unpackUnorm4x8(corner.color).rgb);
+    float longer = 0.5 * fin.wide - 0.5;
+    ground.outer = v.position + longer * (v.position - other.position) + hair;
+    ground.place += longer * (v.place - other.place);
+    ground.eye = turned(toEye(ground.outer), v.turn);
     uv = corner.uv;
-    cornerColor = unpackUnorm4x8(corner.color).rgb;
-    material = triangles[fin.side / 3u].w;
-    coatNumber = fin.coat;
+    material = triangles[side / 3u].w;
     weight = fin.weight;
     reach = fin.reach;
-    gl_Position = frame.viewProjection * vec4(place, 1.0);
+    gl_Position = frame.viewProjection * vec4(ground.outer, 1.0);
 }

@@ -13,6 +13,11 @@ struct Edge {    // core/half_edges.h
 layout(std430, binding = 14) readonly buffer Edges { Edge edges[]; };
 layout(location = 0) uniform uint finCoats;   // bits, as of frame.coats
 layout(location = 1) uniform uint edgeCount;
+layout(binding = 1) uniform sampler2D skinDepth;
+
+// Of shorter edges fewer have fins, which are so long: pixels, and shares of the hair's length.
+const float kShortest = 6.0;
+const float kShortestOfHair = 0.3;
 
 // Of the triangle of a half-edge: twice its area long.
 vec3 faceOf(uint side) {
@@ -29,20 +34,37 @@ uint beyond(vec3 place) {
            uint(p.y > p.w) << 3u | uint(p.z < -p.w) << 4u;
 }
 
-// The same of a hair, all of which lies between its three control points.
-uint beyond(ShellVertex v, vec3 a, vec3 b) {
-    return beyond(v.position) & beyond(v.position + turnedBack(0.5 * a, v.turn)) &
-           beyond(v.position + turnedBack(b, v.turn));
+// The mean hair of a coat at a vertex, world: t(1-t) a + t^2 b over the root.
+struct End {
+    vec3 root, a, b;
+};
+End endOf(ShellVertex v, uint coat) {
+    return End(v.position, turnedBack(coat == 0u ? v.overA : v.underA, v.turn),
+               turnedBack(coat == 0u ? v.overB : v.underB, v.turn));
 }
 
-void addFin(uint side, ShellVertex p, ShellVertex q, uint coat, float weight, float reach) {
-    vec3 pa = coat == 0u ? p.overA : p.underA;
-    vec3 pb = coat == 0u ? p.overB : p.underB;
-    vec3 qa = coat == 0u ? q.overA : q.underA;
-    vec3 qb = coat == 0u ? q.overB : q.underB;
-    if (!(dot(pa, pa) + dot(pb, pb) + dot(qa, qa) + dot(qb, qb) > 0.0)) return;
-    if ((beyond(p, pa, pb) & beyond(q, qa, qb)) != 0u) return;
-    fins[atomicAdd(finCount, 1u)] = Fin(side, coat, weight, reach);
+// The same of a hair, all of which lies between its three control points.
+uint beyond(End h) {
+    return beyond(h.root) & beyond(h.root + 0.5 * h.a) & beyond(h.root + h.b);
+}
+
+// Whether the skin hides a point, moved towards the eye.
+bool hidden(vec3 place, float nearer) {
+    vec4 p = frame.viewProjection * vec4(place + nearer * toEye(place), 1.0);
+    ivec2 pixel = ivec2((0.5 + 0.5 * p.xy / p.w) * vec2(frame.size));
+    if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, frame.size))) return false;
+    return 0.5 + 0.5 * p.z / p.w > texelFetch(skinDepth, pixel, 0).r;
+}
+bool hidden(End h, float nearer) {
+    return hidden(h.root, nearer) && hidden(h.root + 0.25 * (h.a + h.b), nearer) &&
+           hidden(h.root + h.b, nearer);
+}
+
+void addFin(Fin fin, End p, End q, bool shown) {
+    if (!(dot(p.a, p.a) + dot(p.b, p.b) + dot(q.a, q.a) + dot(q.b, q.b) > 0.0)) return;
+    if ((beyond(p) & beyond(q)) != 0u) return;
+    if (!shown && hidden(p, fin.reach) && hidden(q, fin.reach)) return;
+    fins[atomicAdd(finCount, 1u)] = fin;
 }
 
 void main() {
@@ -65,6 +87,15 @@ void main() {
     ShellVertex p = shellVertex(from);
     ShellVertex q = shellVertex(to);
     if (!(p.density + q.density > 0.0)) return;
+    float hairLength = 0.5 * (p.furLength + q.furLength);
+    float away = (frame.viewProjection * vec4(place, 1.0)).w;
+    float pixels = size * frame.pixelsPerMetre / max(away, 1e-6);
+    float shortest = max(kShortest, kShortestOfHair * hairLength * pixels / size);
+    float wide = clamp(shortest / pixels, 1.0, 16.0);
+    weight *= clamp(5.0 - 4.0 * rand01(edge.side) * wide * wide, 0.0, 1.0);
+    if (!(weight > 0.0)) return;
     for (uint coat = 0u; coat < 2u; ++coat)
-        if ((finCoats >> coat & 1u) != 0u) addFin(edge.side, p, q, coat, weight, reach);
+        if ((finCoats >> coat & 1u) != 0u) 
+            addFin(Fin(2u * edge.side + coat, weight, wide * reach, wide), endOf(p, coat),
+                   endOf(q, coat), pixels > 3.0 * shortest);
 }

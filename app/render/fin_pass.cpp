@@ -12,10 +12,10 @@ namespace pelage {
 namespace {
 
 // As in shaders/fin.glsl.
-constexpr uint kFinQuads = 4;
+constexpr uint kFinQuads = 3;
 struct Fin {
-    uint side, coat;
-    float weight, reach;
+    uint edge;
+    float weight, reach, wide;
 };
 struct FinDraw {
     uint stripVertices = 2 * (kFinQuads + 1), finCount = 0, firstVertex = 0, firstFin = 0;
@@ -46,6 +46,7 @@ void FinPass::draw(const Mirror& mirror, const std::shared_ptr<const Skin>& atRe
     mirror.bind();
     edges_.bindStorage(binding::edges);
     fins_.bindStorage(binding::fins);
+    glBindTextureUnit(binding::skinDepth, canvas.skinDepth.name());
     choose_.use();
     glUniform1ui(0, coats);
     glUniform1ui(1, edgeCount_);
@@ -54,7 +55,7 @@ void FinPass::draw(const Mirror& mirror, const std::shared_ptr<const Skin>& atRe
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 
     glBindFramebuffer(GL_FRAMEBUFFER, canvas.target.name());
-    glBindTextureUnit(binding::skinDepth, canvas.skinDepth.name());
+    glBindTextureUnit(2, keptDepth(canvas).name());
     glBindVertexArray(array_.name());
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, fins_.name());
     draw_.use();
@@ -62,6 +63,17 @@ void FinPass::draw(const Mirror& mirror, const std::shared_ptr<const Skin>& atRe
     glDrawArraysIndirect(GL_TRIANGLE_STRIP, nullptr);
     glDisable(GL_DEPTH_TEST);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+}
+
+// A copy: what is drawn into cannot be read.
+const gl::Texture& FinPass::keptDepth(const Canvas& canvas) {
+    if (canvas.size != size_) {
+        size_ = canvas.size;
+        depth_ = gl::makeTexture(size_, GL_DEPTH_COMPONENT32F);
+    }
+    glCopyImageSubData(canvas.depth.name(), GL_TEXTURE_2D, 0, 0, 0, 0, depth_.name(), GL_TEXTURE_2D,
+                       0, 0, 0, 0, size_.x, size_.y, 1);
+    return depth_;
 }
 
 uint FinPass::count() const {

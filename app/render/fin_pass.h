@@ -25,12 +25,15 @@ public:
 
 private:
     void updateEdges(const std::shared_ptr<const Skin>& atRest);
+    const gl::Texture& keptDepth(const Canvas& canvas);
 
     Program choose_, draw_;
     gl::VertexArray array_;
     gl::Buffer edges_, fins_;
     std::shared_ptr<const Skin> edgesOf_;
     uint edgeCount_ = 0;
+    gl::Texture depth_;  // of what was drawn before
+    ivec2 size_{0};
 };
 
 }  // namespace pelage
