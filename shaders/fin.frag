@@ -25,7 +25,7 @@ layout(binding = 1) uniform sampler2D skinDepth;
 layout(binding = 2) uniform sampler2D depths;  // of what is in the picture
 out vec4 color;
 
-const uint kMostSlabs = 12u;
+const uint kMostSlabs = 24u;
 
 float depthOf(vec3 p) {
     vec4 clip = frame.viewProjection * vec4(p, 1.0);

@@ -48,12 +48,13 @@ uint beyond(End h) {
     return beyond(h.root) & beyond(h.root + 0.5 * h.a) & beyond(h.root + h.b);
 }
 
-// Whether the skin hides a point, moved towards the eye.
+// Whether the skin hides a point, moved towards the eye: all four pixels around it do.
 bool hidden(vec3 place, float nearer) {
     vec4 p = frame.viewProjection * vec4(place + nearer * toEye(place), 1.0);
-    ivec2 pixel = ivec2((0.5 + 0.5 * p.xy / p.w) * vec2(frame.size));
-    if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, frame.size))) return false;
-    return 0.5 + 0.5 * p.z / p.w > texelFetch(skinDepth, pixel, 0).r;
+    vec2 at = 0.5 + 0.5 * p.xy / p.w;
+    if (any(lessThan(at, vec2(0.0))) || any(greaterThan(at, vec2(1.0)))) return false;
+    vec4 d = textureGather(skinDepth, at);
+    return 0.5 + 0.5 * p.z / p.w > max(max(d.x, d.y), max(d.z, d.w));
 }
 bool hidden(End h, float nearer) {
     return hidden(h.root, nearer) && hidden(h.root + 0.25 * (h.a + h.b), nearer) &&
@@ -80,9 +81,10 @@ void main() {
     vec3 place = 0.5 * (skinVertices[from].position + skinVertices[to].position);
     float weight = finWeight(dot(n, toEye(place)));
     if (!(weight > 0.0)) return;
-    // An edge stands for a third of both its triangles, so that all fins have each hair once.
+    // An edge stands for a third of both its triangles, so that all fins have each hair once; for
+    // twice that, as their weights thin hairs out to half on average.
     float size = distance(skinVertices[from].position, skinVertices[to].position);
-    float reach = (length(one) + length(other)) / (12.0 * size);
+    float reach = (length(one) + length(other)) / (6.0 * size);
     if (!(size > 0.0) || !(reach > 0.0)) return;
     ShellVertex p = shellVertex(from);
     ShellVertex q = shellVertex(to);

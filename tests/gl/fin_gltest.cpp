@@ -69,7 +69,7 @@ TEST(Fins, ChangeThePictureNearTheSilhouetteOnly) {
 TEST(Fins, OfASkinThatFacesTheEyeAreNone) {
     Document sheet = test::lyingHair(2000);
     Renderer renderer;
-    View view = finned(test::viewFromAbove(32));
+    View view = finned(test::viewFromAbove(96));
     view.shells = Shells::swept;
     EXPECT_EQ(renderer.draw(sheet, view).fins, 0u);
     view.camera.pitch = 0.1f;  // a sheet of 8 x 8 cells has 208 edges, and two coats
@@ -181,8 +181,8 @@ TEST(Fins, KeepTheBrightnessInsideTheSilhouette) {
     }
     std::printf("brightness with fins: %.4f of that without, %.4f near the silhouette\n",
                 after / before, ringAfter / ring);
-    EXPECT_NEAR(after / before, 1.0, 0.01);
-    EXPECT_NEAR(ringAfter / ring, 1.0, 0.03);
+    EXPECT_NEAR(after / before, 1.0, 0.005);
+    EXPECT_NEAR(ringAfter / ring, 1.0, 0.01);
 }
 
 TEST(Fins, CostNothingUntilTheyAreAskedFor) {
