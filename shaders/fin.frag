@@ -32,6 +32,16 @@ float depthOf(vec3 p) {
     return clamp(0.5 + 0.5 * clip.z / clip.w, 0.0, 1.0);
 }
 
+// Of a slab: a hair that leans across the ray is cut into an ellipse, and over a ball hairs stand
+// further apart than their roots.
+float stretchOf(Hair hair, Ground g, vec3 ahead, float height) {
+    vec3 slope = (1.0 - 2.0 * at) * hair.a + (2.0 * at) * hair.b;
+    float rise = (1.0 - 2.0 * at) * hair.za + (2.0 * at) * hair.zb;
+    float slant = dot(g.normal, cross(slope, ahead));
+    float spread = max(1.0 + g.bendAcross * height, 0.3);
+    return (1.0 + min(slant * slant / max(rise * rise, 1e-20), 15.0)) / (spread * spread);
+}
+
 // The first hair of the fin behind a pixel, so deep to both sides. Its way is that on the skin.
 Hit firstHit(Ground g, ShellCoat coat, vec3 ahead, float deep, float stretch) {
     Level level = levelFor(coat.width * pixelsPerMetreAt(g.outer));
@@ -96,15 +106,7 @@ void main() {
     float room = max(heightAt(hair, peakOf(hair)) - height, 0.0);
     float deep = min(reach, sqrt(2.0 * room / max(g.bend, 1e-6 / g.top)));
 
-    // As in shell.frag.
-    vec3 slope = (1.0 - 2.0 * at) * hair.a + (2.0 * at) * hair.b;
-    float rise = (1.0 - 2.0 * at) * hair.za + (2.0 * at) * hair.zb;
-    float slant = dot(g.normal, cross(slope, ahead));
-    float stretch = 1.0 + min(slant * slant / max(rise * rise, 1e-20), 15.0);
-    float spread = max(1.0 + g.bendAcross * height, 0.3);
-    stretch /= spread * spread;
-
-    Hit hit = firstHit(g, coat, ahead, deep, stretch);
+    Hit hit = firstHit(g, coat, ahead, deep, stretchOf(hair, g, ahead, height));
     if (hit.way > 1e29) discard;
     color = vec4(radianceOf(hit, g), 1.0);
     gl_FragDepth = depthOf(g.outer - (hit.way / sine) * eye);
