@@ -16,8 +16,8 @@ layout(location = 1) uniform uint edgeCount;
 layout(binding = 1) uniform sampler2D skinDepth;
 
 // Of shorter edges fewer have fins, which are so long: pixels, and shares of the hair's length.
-const float kShortest = 6.0;
-const float kShortestOfHair = 0.3;
+const float kShortest = 10.0;
+const float kShortestOfHair = 0.45;
 
 // Of the triangle of a half-edge: twice its area long.
 vec3 faceOf(uint side) {

@@ -69,7 +69,7 @@ TEST(Fins, ChangeThePictureNearTheSilhouetteOnly) {
 TEST(Fins, OfASkinThatFacesTheEyeAreNone) {
     Document sheet = test::lyingHair(2000);
     Renderer renderer;
-    View view = finned(test::viewFromAbove(96));
+    View view = finned(test::viewFromAbove(160));
     view.shells = Shells::swept;
     EXPECT_EQ(renderer.draw(sheet, view).fins, 0u);
     view.camera.pitch = 0.1f;  // a sheet of 8 x 8 cells has 208 edges, and two coats
