@@ -31,6 +31,28 @@ Mesh::VertexHandle handle(uint v) { return Mesh::VertexHandle(static_cast<int>(v
 
 bool repeatsCorner(uvec3 t) { return t.x == t.y || t.y == t.z || t.z == t.x; }
 
+struct Built {
+    Mesh mesh;
+    std::vector<uint> triangleOf;  // by face
+    std::vector<uint> outside;     // triangles that did not fit
+};
+
+Built build(std::size_t vertexCount, std::span<const uvec3> triangles) {
+    Built built;
+    built.mesh.reserve(vertexCount, triangles.size() * 3 / 2, triangles.size());
+    for (std::size_t v = 0; v < vertexCount; ++v) built.mesh.new_vertex();
+    for (uint i = 0; i < triangles.size(); ++i) {
+        const uvec3 t = triangles[i];
+        assert(t.x < vertexCount && t.y < vertexCount && t.z < vertexCount);
+        if (repeatsCorner(t) ||
+            !built.mesh.add_face(handle(t.x), handle(t.y), handle(t.z)).is_valid())
+            built.outside.push_back(i);
+        else
+            built.triangleOf.push_back(i);
+    }
+    return built;
+}
+
 using Edge = std::pair<uint, uint>;  // smaller vertex first
 
 struct EdgeUse {
@@ -46,9 +68,11 @@ void use(std::map<Edge, EdgeUse>& edges, uint from, uint to, bool counts) {
 }
 
 // How the triangles outside the half-edge mesh and those inside it share the edges of the former.
-std::map<Edge, EdgeUse> usesOfOutsiders(const Mesh& mesh, std::span<const uvec3> outside) {
+std::map<Edge, EdgeUse> usesOfOutsiders(const Built& built, std::span<const uvec3> triangles) {
+    const Mesh& mesh = built.mesh;
     std::map<Edge, EdgeUse> edges;
-    for (const uvec3 t : outside) {
+    for (const uint i : built.outside) {
+        const uvec3 t = triangles[i];
         const bool counts = !repeatsCorner(t);
         use(edges, t.x, t.y, counts);
         use(edges, t.y, t.z, counts);
@@ -76,24 +100,25 @@ void countEdges(Topology& topology, const Mesh& mesh, const std::map<Edge, EdgeU
     }
 }
 
+// kNone where it is at a boundary.
+uint sideOf(const Built& built, std::span<const uvec3> triangles, Mesh::HalfedgeHandle h) {
+    if (built.mesh.is_boundary(h)) return MeshEdge::kNone;
+    const auto face = static_cast<std::size_t>(built.mesh.face_handle(h).idx());
+    const uint t = built.triangleOf[face];
+    const auto from = static_cast<uint>(built.mesh.from_vertex_handle(h).idx());
+    return 3 * t + (triangles[t].x == from ? 0u : triangles[t].y == from ? 1u : 2u);
+}
+
 }  // namespace
 
 Topology makeTopology(std::size_t vertexCount, std::span<const uvec3> triangles) {
     const Quiet quiet;
-    Mesh mesh;
-    mesh.reserve(vertexCount, triangles.size() * 3 / 2, triangles.size());
-    for (std::size_t v = 0; v < vertexCount; ++v) mesh.new_vertex();
-
+    const Built built = build(vertexCount, triangles);
+    const Mesh& mesh = built.mesh;
     Topology topology;
-    std::vector<uvec3> outside;
-    for (const uvec3 t : triangles) {
-        assert(t.x < vertexCount && t.y < vertexCount && t.z < vertexCount);
-        const bool degenerate = repeatsCorner(t);
-        topology.repeatedCorners += degenerate;
-        if (degenerate || !mesh.add_face(handle(t.x), handle(t.y), handle(t.z)).is_valid())
-            outside.push_back(t);
-    }
-    const auto outsiders = usesOfOutsiders(mesh, outside);
+    topology.repeatedCorners =
+        static_cast<std::size_t>(std::count_if(triangles.begin(), triangles.end(), repeatsCorner));
+    const auto outsiders = usesOfOutsiders(built, triangles);
     countEdges(topology, mesh, outsiders);
 
     // Edges that only triangles outside the half-edge mesh have.
@@ -117,6 +142,35 @@ Topology makeTopology(std::size_t vertexCount, std::span<const uvec3> triangles)
     }
     topology.ringFirst.push_back(static_cast<uint>(topology.rings.size()));
     return topology;
+}
+
+std::vector<MeshEdge> edgesOf(std::size_t vertexCount, std::span<const uvec3> triangles) {
+    const Quiet quiet;
+    const Built built = build(vertexCount, triangles);
+    std::vector<MeshEdge> edges;
+    edges.reserve(built.mesh.n_edges());
+    for (const auto e : built.mesh.edges()) {
+        MeshEdge edge{sideOf(built, triangles, built.mesh.halfedge_handle(e, 0)),
+                      sideOf(built, triangles, built.mesh.halfedge_handle(e, 1))};
+        if (edge.side == MeshEdge::kNone) std::swap(edge.side, edge.other);
+        if (edge.side != MeshEdge::kNone) edges.push_back(edge);
+    }
+    std::map<Edge, std::size_t> ofOutsiders;
+    for (const uint i : built.outside) {
+        if (repeatsCorner(triangles[i])) continue;
+        for (uint k = 0; k < 3; ++k) {
+            const uint from = triangles[i][static_cast<int>(k)];
+            const uint to = triangles[i][static_cast<int>((k + 1) % 3)];
+            if (built.mesh.find_halfedge(handle(from), handle(to)).is_valid()) continue;
+            const auto [known, fresh] =
+                ofOutsiders.try_emplace(std::minmax(from, to), edges.size());
+            if (fresh)
+                edges.push_back({3 * i + k, MeshEdge::kNone});
+            else if (edges[known->second].other == MeshEdge::kNone)
+                edges[known->second].other = 3 * i + k;
+        }
+    }
+    return edges;
 }
 
 }  // namespace pelage

@@ -23,4 +23,15 @@ struct Topology {
 // and the figures above.
 Topology makeTopology(std::size_t vertexCount, std::span<const uvec3> triangles);
 
+// Two vertices that triangles join. Half-edge 3 t + k runs from corner k of triangle t to its next.
+struct MeshEdge {
+    static constexpr uint kNone = ~0u;
+    uint side = kNone;   // a half-edge of it
+    uint other = kNone;  // that of the other triangle, if there is one
+    bool operator==(const MeshEdge&) const = default;
+};
+
+// Every edge once, however many triangles it has; none of triangles that name a vertex twice.
+std::vector<MeshEdge> edgesOf(std::size_t vertexCount, std::span<const uvec3> triangles);
+
 }  // namespace pelage

@@ -1,6 +1,8 @@
 // render.cpp -- pelage render: a picture of the fur, and how long it took.
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -22,19 +24,25 @@ namespace {
 constexpr int kMaxSide = 8192;  // pixels
 constexpr uint kMostLayers = 256;
 
-// Ways to draw fur in layers, by their names.
-constexpr std::pair<const char*, Shells> kShells[] = {{"shells", Shells::swept},
-                                                      {"shells-plain", Shells::plain},
-                                                      {"shells-instanced", Shells::instanced}};
+struct InLayers {  // a way to draw fur
+    const char* name;
+    Shells shells;
+    DrawnAs as;
+};
+constexpr InLayers kShells[] = {{"shells", Shells::swept, DrawnAs::shells},
+                                {"shells-fins", Shells::swept, DrawnAs::fins},
+                                {"shells-plain", Shells::plain, DrawnAs::shells},
+                                {"shells-instanced", Shells::instanced, DrawnAs::shells}};
 
 constexpr const char* kAutomatic = "auto";
+constexpr const char* kCoatTechniques[] = {"strands", "shells", "shells-fins", kAutomatic};
 
 struct Options {
     InputOptions input;
     std::string output;
     std::string size = "900x900";
     std::string technique;             // of both coats; empty = each its own style
-    std::string over, under;           // of one coat: strands, shells, auto; empty = as both
+    std::string over, under;           // of one coat: kCoatTechniques; empty = as both
     std::string clip;                  // name or number; empty = at rest
     float time = 0.0f;                 // s
     int frames = 1;                    // of a sequence
@@ -107,21 +115,21 @@ CLI::Validator between(float least, float greatest) {
             ""};
 }
 
-// None where the name is that of no shells.
-Shells shellsNamed(const std::string& name) {
-    for (const auto& [known, shells] : kShells)
-        if (name == known) return shells;
-    return Shells::none;
+// Null where the name is that of no shells.
+const InLayers* shellsNamed(const std::string& name) {
+    const auto way = std::ranges::find(kShells, name, &InLayers::name);
+    return way == std::end(kShells) ? nullptr : way;
 }
 
 void setTechnique(View& view, const Options& options) {
-    const Shells both = shellsNamed(options.technique);
     const auto as = [&](const std::string& coat) {
-        if ((coat.empty() ? options.technique : coat) == kAutomatic) return DrawnAs::automatic;
-        const bool shells = coat.empty() ? both != Shells::none : coat == "shells";
-        return shells ? DrawnAs::shells : DrawnAs::strands;
+        const std::string& name = coat.empty() ? options.technique : coat;
+        if (name == kAutomatic) return DrawnAs::automatic;
+        const InLayers* way = shellsNamed(name);
+        return way ? way->as : DrawnAs::strands;
     };
-    view.shells = both == Shells::none ? Shells::swept : both;
+    const InLayers* both = shellsNamed(options.technique);
+    view.shells = both ? both->shells : Shells::swept;
     view.over = as(options.over);
     view.under = as(options.under);
 }
@@ -179,8 +187,8 @@ std::string techniqueOf(const View& view, const Fur& fur) {
     const auto of = [&](DrawnAs as, const Coat& coat) -> std::string {
         if (as == DrawnAs::automatic) return kAutomatic;
         if (as == DrawnAs::strands) return styleRow().choices[coat.style];
-        for (const auto& [name, shells] : kShells)
-            if (view.shells == shells) return name;
+        for (const auto& [name, shells, way] : kShells)
+            if (view.shells == shells && (as == way || shells != Shells::swept)) return name;
         return "";
     };
     const std::string over = of(view.over, fur.over), under = of(view.under, fur.under);
@@ -212,6 +220,7 @@ OrderedJson jsonOf(const Options& options, const Document& document, const View&
             {"samples", stats.samples},
             {"inShells", {stats.inShells.x, stats.inShells.y}},
             {"layers", stats.layers},
+            {"fins", stats.fins},
             {"shellShadows", view.shellShadows},
             {"textureBytes", stats.textureBytes},
             {"storedLayersBytes", storedLayersBytes(view)},
@@ -282,7 +291,7 @@ void addRender(CLI::App& app, bool& json) {
         ->check(CLI::Validator(checkSize, ""));
     const auto styles = styleRow().choices;
     std::vector<std::string> techniques(styles.begin(), styles.end());
-    for (const auto& [name, shells] : kShells) techniques.emplace_back(name);
+    for (const InLayers& way : kShells) techniques.emplace_back(way.name);
     techniques.emplace_back(kAutomatic);
     techniques.emplace_back(kReferenceTechnique);
     verb->add_option("--technique", options->technique,
@@ -293,8 +302,9 @@ void addRender(CLI::App& app, bool& json) {
          {std::tuple("--over", &options->over, "The overcoat, in place of the technique of both"),
           {"--under", &options->under, "The undercoat, likewise"}})
         verb->add_option(flag, *coat, help)
-            ->type_name("strands|shells|auto")
-            ->check(CLI::IsMember({"strands", "shells", kAutomatic}));
+            ->type_name("NAME")
+            ->check(CLI::IsMember(
+                std::vector<std::string>(std::begin(kCoatTechniques), std::end(kCoatTechniques))));
     verb->add_option("--layers", options->layers, "Of shells: how many at least, 0 to 256, or auto")
         ->type_name("N")
         ->capture_default_str()

@@ -85,6 +85,11 @@ void turnLayers(std::size_t value, Fur&, View& view) {
     view.layers = kLayers[value];
 }
 
+void turnFins(std::size_t value, Fur& fur, View& view) {
+    turnLayers<Shells::swept>(value, fur, view);
+    view.over = view.under = DrawnAs::fins;
+}
+
 constexpr const char* kShellsLack =
     "clumps, curls and frizz; hairs stand elsewhere, and lean apart less";
 
@@ -113,6 +118,8 @@ constexpr std::array kTechniques = {
               kShellsLack},
     Technique{"shells", "layers at least, hair whole between them", false, kLayerNames,
               turnLayers<Shells::swept>, kShellsLack},
+    Technique{"shells-fins", "layers at least, and fins on silhouettes", false, kLayerNames,
+              turnFins, kShellsLack},
     Technique{"shells-plain", "layers, hair cut at each of them", true, kLayerNames,
               turnLayers<Shells::plain>, kShellsLack},
     Technique{"shells-instanced", "layers, for each the skin drawn once", true, kLayerNames,

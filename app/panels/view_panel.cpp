@@ -9,7 +9,7 @@ namespace pelage {
 namespace {
 
 std::optional<DrawnAs> techniqueRow(const Ui& ui, const char* label, DrawnAs as, const char* help) {
-    constexpr const char* kTechniques[] = {"Strands", "Shells", "Automatic"};
+    constexpr const char* kTechniques[] = {"Strands", "Shells", "Shells + fins", "Automatic"};
     ImGui::PushID(label);
     rowLabel(ui, label);
     const auto other = choiceList(ui, "##technique", kTechniques, static_cast<int>(as));
@@ -22,7 +22,8 @@ std::optional<DrawnAs> techniqueRow(const Ui& ui, const char* label, DrawnAs as,
 void drawTechniques(const Ui& ui, ViewOptions& view, vec2 inShells) {
     if (const auto as = techniqueRow(ui, "Overcoat", view.over,
                                      "Strands are single hairs. Shells are layers of the same "
-                                     "hairs; they leave out clumps, curls and frizz. Automatic "
+                                     "hairs; they leave out clumps, curls and frizz. Fins are "
+                                     "hairs on the edges of the silhouette. Automatic "
                                      "fades to shells where nobody sees it and they cost less."))
         view.over = *as;
     if (const auto as = techniqueRow(ui, "Undercoat", view.under,

@@ -40,7 +40,7 @@ vec2 betterInShells(const Document& document, const View& view, const Mirror& mi
 vec2 drawnInShells(const View& view, vec2 automatic) {
     if (view.shells == Shells::none || view.overlay != Overlay::none) return vec2(0.0f);
     const auto share = [](DrawnAs as, float chosen) {
-        return as == DrawnAs::automatic ? chosen : as == DrawnAs::shells ? 1.0f : 0.0f;
+        return as == DrawnAs::automatic ? chosen : as == DrawnAs::strands ? 0.0f : 1.0f;
     };
     return {share(view.over, automatic.x), share(view.under, automatic.y)};
 }

@@ -51,8 +51,10 @@ enum Storage : unsigned {
     seen = 11,          // never with lines
     shellCorners = 11,  // never with seen
     groups = 12,
+    fins = 12,  // never with groups
     segmentOf = 13,
     strips = 14,
+    edges = 14,  // never with strips
     rodTable = 15
 };
 enum Texture : unsigned {
@@ -61,6 +63,7 @@ enum Texture : unsigned {
     peeled = 2,  // one at a time, as the next ones
     found = 2,
     hairColor = 2,
+    finDepth = 2,
     shellRows = 3,
     cornerRows = 4,
     foundIndices = 5,

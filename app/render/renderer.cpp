@@ -341,6 +341,7 @@ void Renderer::Parts::count(const Sample& sample) {
     stats.clustersBald = sample.seen.bald;
     stats.shellSeconds = sample.shellSeconds;
     stats.layers = sample.coats.shells ? shellPass->layers() : 0;
+    stats.fins = sample.coats.shells ? shellPass->fins() : 0;
     stats.textureBytes = sample.coats.shells ? shellPass->textureBytes() : 0;
     stats.samples = samples;
 }

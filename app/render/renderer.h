@@ -21,7 +21,7 @@ enum class Overlay { none, length, density, direction, mask, segment };
 // the layers; or the skin drawn once for each.
 enum class Shells { none, swept, plain, instanced };
 
-enum class DrawnAs { strands, shells, automatic };  // of a coat
+enum class DrawnAs { strands, shells, fins, automatic };  // of a coat; fins: shells with them
 
 struct OverlayLine {        // drawn over everything, with the depth of the skin tested
     vec3 a{0.0f}, b{0.0f};  // world
@@ -75,6 +75,7 @@ struct FrameStats {
     double shellSeconds = 0.0;     // of those, for the shells
     vec2 inShells{0.0f};           // share of overcoat and undercoat in the picture, [0,1]
     uint layers = 0;               // of shells
+    uint fins = 0;                 // edges of the skin that have them, counted for each coat
     std::size_t textureBytes = 0;  // of shells: what they are cut from, all levels
     int samples = 0;               // averaged in the picture so far
     bool finished = false;         // nothing will change unless document or view do

@@ -23,6 +23,11 @@ std::vector<std::string> definesFor(const View& view) {
     return defines;
 }
 
+// Coats that have fins, as bits of FrameData::coats.
+uint finnedOf(const View& view) {
+    return (view.over == DrawnAs::fins ? 1u : 0u) | (view.under == DrawnAs::fins ? 2u : 0u);
+}
+
 }  // namespace
 
 ShellPass::ShellPass()
@@ -199,6 +204,13 @@ void ShellPass::drawLayers(const Mirror& mirror, uint coats, const View& view) {
     }
 }
 
+void ShellPass::drawFins(const Mirror& mirror, const std::shared_ptr<const Skin>& atRest,
+                         uint coats, const Canvas& canvas) {
+    if (!fins_) fins_.emplace();
+    fins_->draw(mirror, atRest, coats, canvas);
+    finned_ = true;
+}
+
 void ShellPass::draw(Mirror& mirror, const Mirror::Surface& skin, const Document& document,
                      const View& view, const FrameData& frame, const gl::Buffer& frameBlock,
                      const Canvas& canvas) {
@@ -215,6 +227,7 @@ void ShellPass::draw(Mirror& mirror, const Mirror::Surface& skin, const Document
     data.leastWidth = view.detail.rule == Detail::Rule::all ? 0.0f : 1.0f;
     layers_ = 0;
     textureBytes_ = 0;
+    finned_ = false;
     if (!(frame.hairsPerArea > 0.0f) || data.coats == 0) return;
     block_.upload(std::span<const ShellData>(&data, 1));
 
@@ -237,6 +250,8 @@ void ShellPass::draw(Mirror& mirror, const Mirror::Surface& skin, const Document
             drawLayers(mirror, data.coats, view);
         else
             drawMarched(mirror, skin, canvas, definesFor(view));
+        const uint finned = data.coats & finnedOf(view);
+        if (finned != 0) drawFins(mirror, document.skin, finned, canvas);
     }
     // A photograph shows all of a fur.
     if (mapped == 3u && view.maps[0] == view.maps[1] && view.maps[0].texture->photo) mapped = 1u;
@@ -254,6 +269,8 @@ void ShellPass::draw(Mirror& mirror, const Mirror::Surface& skin, const Document
     textureBytes_ += pictures_.keep(view.maps);
 }
 
-std::size_t ShellPass::bytes() const { return tile_.bytes() + pictures_.bytes() + ground_.bytes(); }
+std::size_t ShellPass::bytes() const {
+    return (fins_ ? fins_->bytes() : 0) + tile_.bytes() + pictures_.bytes() + ground_.bytes();
+}
 
 }  // namespace pelage

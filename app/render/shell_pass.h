@@ -4,11 +4,13 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/render/canvas.h"
+#include "app/render/fin_pass.h"
 #include "app/render/frame_data.h"
 #include "app/render/mirror.h"
 #include "app/render/program.h"
@@ -27,9 +29,10 @@ public:
               const View& view, const FrameData& frame, const gl::Buffer& frameBlock,
               const Canvas& canvas);
 
-    // Of the last draw: layers, and bytes of the tile of roots or the pictures, all levels.
+    // Of the last draw: layers, bytes of the tile of roots or the pictures, all levels, and fins.
     uint layers() const { return layers_; }
     std::size_t textureBytes() const { return textureBytes_; }
+    uint fins() const { return finned_ ? fins_->count() : 0; }
     std::size_t bytes() const;
 
 private:
@@ -53,12 +56,16 @@ private:
     void drawMap(const Mirror& mirror, const ShellSource& source, uint coat);
     void drawLayer(const Mirror& mirror, const Program& program, float t) const;
     void drawLayers(const Mirror& mirror, uint coats, const View& view);
+    void drawFins(const Mirror& mirror, const std::shared_ptr<const Skin>& atRest, uint coats,
+                  const Canvas& canvas);
 
     ShellGround ground_;
     Program over_, skin_, show_, seenOut_;
     // Made when they are first needed: a layer without shadows and with them, and marches.
     std::optional<Program> layer_[2], map_;
     std::map<std::vector<std::string>, March> marches_;
+    std::optional<FinPass> fins_;
+    bool finned_ = false;
     gl::VertexArray cornerArray_;
     gl::Buffer tile_, block_, mapBlock_;
     ivec2 size_{0};

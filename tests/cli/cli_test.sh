@@ -249,6 +249,10 @@ json 'j.shellShadows' -- render --field 2000 --size 64x64 --samples 1 --repeat 1
     --shell-shadows -o s.png --json
 good render tetra.obj --size 32x32 --technique shells-instanced --layers 3 --samples 1 -o s.png
 grep -q '^wrote s\.png: 32x32, in shells, ' out.txt || fail "render: $(cat out.txt)"
+json 'j.technique === "shells-fins" && j.fins > 0' -- render --animal 2000 --hairs 3000 --size 64x64 \
+    --samples 1 --repeat 1 --technique shells-fins -o s.png --json
+json 'j.technique === "polyline/shells-fins" && j.fins > 0 && j.hairsDrawn > 0' -- render --animal 2000 \
+    --hairs 3000 --size 64x64 --samples 1 --repeat 1 --technique polyline --under shells-fins -o s.png --json
 json 'j.technique === "polyline/shells"' 'j.hairsDrawn > 0 && j.textureBytes > 0 && j.msShellPass > 0' \
     -- render --animal 2000 --hairs 3000 --size 64x64 --samples 1 --repeat 1 --under shells -o s.png --json
 json 'j.technique === "shells-plain/polyline"' 'j.hairsDrawn > 0' -- render --animal 2000 --hairs 3000 \
