@@ -9,12 +9,11 @@
 #include <string>
 
 #include "flip.h"
+#include "pixels.h"
 #include "ssim.h"
 
 namespace pelage {
 namespace {
-
-std::string sizeText(ivec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y); }
 
 void check(const Image& image, const std::string& name) {
     if (image.size.x < 1 || image.size.y < 1) throw std::runtime_error(name + " has no pixels");

@@ -77,7 +77,7 @@ Image decodedImage(std::span<const std::byte> picture) {
 
 constexpr int kLargestSide = 8192;
 
-// In the file, from there on; 0 beyond its end.
+// 0 beyond the file's end.
 std::size_t byteAt(std::span<const std::byte> file, std::size_t i) {
     return i < file.size() ? std::to_integer<std::size_t>(file[i]) : 0;
 }

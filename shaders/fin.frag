@@ -27,11 +27,6 @@ out vec4 color;
 
 const uint kMostSlabs = 24u;
 
-float depthOf(vec3 p) {
-    vec4 clip = frame.viewProjection * vec4(p, 1.0);
-    return clamp(0.5 + 0.5 * clip.z / clip.w, 0.0, 1.0);
-}
-
 // Of a slab: a hair that leans across the ray is cut into an ellipse, and over a ball hairs stand
 // further apart than their roots.
 float stretchOf(Hair hair, Ground g, vec3 ahead, float height) {
@@ -67,7 +62,6 @@ Hit firstHit(Ground g, ShellCoat coat, vec3 ahead, float deep, float stretch) {
             TileHit one = tileHit(slab, axis, coatNumber, coat, level, axes);
             if (one.along < first && abs(one.across) <= finWidth(weight, rand01(one.id))) {
                 first = one.along;
-                hit.across = one.across;
                 hit.id = one.id;
                 hit.root = mix(slab.from, slab.to, one.along);
             }
@@ -88,8 +82,8 @@ void main() {
     vec3 eye = toEye(g.outer);
     float shown = texelFetch(depths, ivec2(gl_FragCoord.xy), 0).r;
     bool hairy = shown < texelFetch(skinDepth, ivec2(gl_FragCoord.xy), 0).r;
-    if (depthOf(g.outer + 2.0 * reach * eye) > shown) discard;
-    if (hairy && depthOf(g.outer - (g.top + 2.0 * reach) * eye) > shown) discard;
+    if (windowDepth(g.outer + 2.0 * reach * eye) > shown) discard;
+    if (hairy && windowDepth(g.outer - (g.top + 2.0 * reach) * eye) > shown) discard;
 
     g.normal = safeUnit(g.normal, vec3(0.0, 1.0, 0.0));
     g.eye = safeUnit(g.eye, g.normal);
@@ -109,5 +103,5 @@ void main() {
     Hit hit = firstHit(g, coat, ahead, deep, stretchOf(hair, g, ahead, height));
     if (hit.way > 1e29) discard;
     color = vec4(radianceOf(hit, g), 1.0);
-    gl_FragDepth = depthOf(g.outer - (hit.way / sine) * eye);
+    gl_FragDepth = windowDepth(g.outer - (hit.way / sine) * eye);
 }

@@ -90,14 +90,13 @@ void main() {
     ShellVertex q = shellVertex(to);
     if (!(p.density + q.density > 0.0)) return;
     float hairLength = 0.5 * (p.furLength + q.furLength);
-    float away = (frame.viewProjection * vec4(place, 1.0)).w;
-    float pixels = size * frame.pixelsPerMetre / max(away, 1e-6);
+    float pixels = size * pixelsPerMetreAt(place);
     float shortest = max(kShortest, kShortestOfHair * hairLength * pixels / size);
     float wide = clamp(shortest / pixels, 1.0, 16.0);
     weight *= clamp(5.0 - 4.0 * rand01(edge.side) * wide * wide, 0.0, 1.0);
     if (!(weight > 0.0)) return;
     for (uint coat = 0u; coat < 2u; ++coat)
-        if ((finCoats >> coat & 1u) != 0u) 
+        if ((finCoats >> coat & 1u) != 0u)
             addFin(Fin(2u * edge.side + coat, weight, wide * reach, wide), endOf(p, coat),
                    endOf(q, coat), pixels > 3.0 * shortest);
 }

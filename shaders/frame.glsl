@@ -48,6 +48,19 @@ vec3 toEye(vec3 position) {
     return frame.perspective > 0.0 ? normalize(frame.eye - position) : -frame.forward;
 }
 
+// Pixels that a metre is wide there.
+float pixelsPerMetreAt(vec3 place) {
+    return frame.perspective > 0.0
+               ? frame.pixelsPerMetre / max(dot(place - frame.eye, frame.forward), 1e-6)
+               : frame.pixelsPerMetre;
+}
+
+// Depth in the window.
+float windowDepth(vec3 place) {
+    vec4 clip = frame.viewProjection * vec4(place, 1.0);
+    return clamp(0.5 + 0.5 * clip.z / clip.w, 0.0, 1.0);
+}
+
 // Base color of a material at a texture coordinate.
 vec3 materialColor(uint material, vec2 uv) {
     Material m = materials[material];

@@ -81,10 +81,7 @@ Course courseOf(Ray ray, Hair hair, Way at, Way skin) {
     float low = 0.0;
     if (!skin.there) {
         low = clamp((closest - 1.0) / ray.bend, 0.0, tip);
-        // The first t at which the hair is so high.
-        float bent = hair.zb - hair.za;
-        float root = sqrt(max(hair.za * hair.za + 4.0 * bent * low, 0.0));
-        course.lowest = clamp(2.0 * low / max(hair.za + root, 1e-20), 0.0, 1.0);
+        course.lowest = tAtHeight(hair, low);
     }
     float sine = min(closest / (1.0 + ray.bend * tip), 1.0);
     float fall = (skin.way - at.way) * sqrt(1.0 - sine * sine);
@@ -175,7 +172,6 @@ Hit march(Ray ray, vec3 place, Hair hair, ShellCoat coat, uint coatNumber, Groun
             if (one.along <= 1.0 && way < hit.way && crossed) {
                 hit.way = way;
                 hit.t = one.t;
-                hit.across = one.across;
                 hit.id = one.id;
                 hit.root = mix(slab.from, slab.to, one.along);
                 hit.over = coatNumber == 0u;
@@ -294,7 +290,6 @@ void main() {
     ray.bendAcross = clamp(g.bendAcross, -0.5 / g.top, 8.0 / g.top);
 #endif
     ray.far = 1.0 + ray.bend * ray.top;
-    g.bend = ray.bend;
 
 #ifdef MAP
     showMap(ray, below, ahead, back, g);
@@ -322,7 +317,6 @@ void main() {
         lightAtRoot(g, ray.bend * (way - aside) + ray.bendAcross * aside);
     }
     color = hits ? vec4(radianceOf(hit, g), 1.0) : vec4(0.5);
-    vec4 clip = frame.viewProjection * vec4(g.outer + (back - hit.way) * toEye(g.outer), 1.0);
-    depth = hits ? clamp(0.5 + 0.5 * clip.z / clip.w, 0.0, 1.0) : 1.0;
+    depth = hits ? windowDepth(g.outer + (back - hit.way) * toEye(g.outer)) : 1.0;
 #endif
 }

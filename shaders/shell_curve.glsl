@@ -26,6 +26,12 @@ float peakOf(Hair h) { return h.za > 2.0 * h.zb ? 0.5 * h.za / (h.za - h.zb) : 1
 float heightAt(Hair h, float t) { return max(0.0, t * ((1.0 - t) * h.za + t * h.zb)); }
 vec3 asideAt(Hair h, float t) { return t * ((1.0 - t) * h.a + t * h.b); }
 
+// Where on its way up a hair is at a height; at the tip where it does not get so high.
+float tAtHeight(Hair h, float height) {
+    float d = h.za * h.za + 4.0 * (h.zb - h.za) * height;
+    return d >= 0.0 ? clamp(2.0 * height / max(h.za + sqrt(d), 1e-20), 0.0, 1.0) : 1.0;
+}
+
 // How hairs lean apart: together with their neighbors, so that none has to be looked for.
 struct Stray {
     float reach;      // m, at the tip

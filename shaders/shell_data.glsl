@@ -81,6 +81,7 @@ Curve overBent(Curve hair, vec3 n, float bend) {
     vec3 tip = overBent(hair.b, n, bend);
     return Curve(4.0 * overBent(0.25 * (hair.a + hair.b), n, bend) - tip, tip);
 }
+
 // A vector of components in [-1,1] to a 127th as a whole number, which a float holds exactly.
 float packedDirection(vec3 v) { return float(packSnorm4x8(vec4(v, 0.0))); }
 vec3 unpackedDirection(float code) { return unpackSnorm4x8(uint(code)).xyz; }

@@ -35,7 +35,6 @@ void main() {
         if (one.along <= 1.0) {
             hit.way = 0.0;
             hit.id = one.id;
-            hit.across = one.across;
         }
         axis += axes.step;
         axis -= axis > 2u ? 3u : 0u;

@@ -25,6 +25,6 @@ void main() {
     if (!(g.top > 0.0) || !cut.there) discard;
     g.eye = safeUnit(g.eye, g.normal);
     g.bare *= materialColor(material, uv);
-    Hit hit = Hit(0.0, layerAt, 0.0, cut.id, g.place, layerCoat == 0u);
+    Hit hit = Hit(0.0, layerAt, cut.id, g.place, layerCoat == 0u);
     color = vec4(mapRadiance(cut, hit, g), 1.0);
 }

@@ -1,7 +1,7 @@
 // shell_map_march.glsl -- the ray behind a pixel goes down through the layers of a picture until it
 // meets hair, and up again where it misses the skin. Included by shell.frag.
 
-layout(binding = 1) uniform sampler2D depths;  // of what is in the picture
+layout(binding = 9) uniform sampler2D skinDepth;  // from before fur was drawn
 
 Hit mapMarch(Ray ray, vec3 place, Hair hair, bool over, Ground g, vec3 ahead, out MapCut cut) {
     float level = mapLevel(pixelsPerMetreAt(g.outer));
@@ -30,8 +30,7 @@ Hit mapMarch(Ray ray, vec3 place, Hair hair, bool over, Ground g, vec3 ahead, ou
 
 // Depth in the window of what is so far along the view from where the fur begins.
 float depthAt(Ground g, float way) {
-    vec4 clip = frame.viewProjection * vec4(g.outer - way * toEye(g.outer), 1.0);
-    return clamp(0.5 + 0.5 * clip.z / clip.w, 0.0, 1.0);
+    return windowDepth(g.outer - way * toEye(g.outer));
 }
 
 // What ends on the skin, and what the ball hides a little behind it, is seen in front of it.
@@ -49,7 +48,7 @@ void showMap(Ray ray, vec3 place, vec3 ahead, float back, Ground g) {
     Hair hair = hairOf(mean, 0.0, g.normal, over ? g.bendOver : g.bendUnder);
     MapCut cut;
     Hit hit = mapMarch(ray, place, hair, over, g, ahead, cut);
-    float skin = texelFetch(depths, pixel, 0).r;
+    float skin = texelFetch(skinDepth, pixel, 0).r;
     depth = hit.way < 1e29 ? depthBefore(skin, g, ray, hit.way - back) : 1.0;
     if (depth < skin) {
         colorAtRoot(g, hit);

@@ -3,18 +3,10 @@
 struct Hit {
     float way;     // m along the ray; 1e30 = none
     float t;
-    float across;  // from the middle of the hair, in half widths
     uint id;
     vec3 root;     // m, on the skin at rest
     bool over;
 };
-
-// Pixels that a metre is wide there.
-float pixelsPerMetreAt(vec3 place) {
-    return frame.perspective > 0.0
-               ? frame.pixelsPerMetre / max(dot(place - frame.eye, frame.forward), 1e-6)
-               : frame.pixelsPerMetre;
-}
 
 #ifdef SHADOWS
 #include "shell_shadow.glsl"

@@ -32,12 +32,6 @@ float shadowHeight(vec3 n, vec3 l, float bend) {
     return kMostTurn / max(abs(bend) * sqrt(dot(shift, shift)), 1e-20);
 }
 
-// Where on its way up a hair is at a height; at the tip where it does not get so high.
-float tAtHeight(Hair h, float height) {
-    float d = h.za * h.za + 4.0 * (h.zb - h.za) * height;
-    return d > 0.0 ? clamp(2.0 * height / max(h.za + sqrt(d), 1e-20), 0.0, 1.0) : 1.0;
-}
-
 struct ShadowRay {  // from a place in the fur towards the key light
     vec3 root;      // m, on the skin
     vec3 normal;    // unit, of the skin there

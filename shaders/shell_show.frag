@@ -1,6 +1,6 @@
 // shell_show.frag -- what was marched, into the picture; marks the pixels that were.
 layout(binding = 2) uniform sampler2D colors;  // of shell.frag
-layout(binding = 8) uniform sampler2D depths;
+layout(binding = 10) uniform sampler2D depths;
 layout(r8ui, binding = 0) uniform writeonly uimage2D seen;  // 1 where fur was looked for
 out vec4 color;
 

@@ -198,7 +198,7 @@ std::string techniqueOf(const View& view, const Fur& fur) {
 OrderedJson jsonOf(const Options& options, const Document& document, const View& view,
                    const FrameStats& stats, const std::vector<double>& times,
                    const Renderer& renderer) {
-    return {{"output", options.output},
+    return {{"output", options.frames > 1 ? frameFile(options.output, 0) : options.output},
             {"frames", options.frames},
             {"width", view.size.x},
             {"height", view.size.y},
@@ -253,9 +253,9 @@ std::string textOf(const OrderedJson& result) {
 void render(const Options& options, bool json) {
     Document document = openInput(options.input);
     View view = viewOf(document, options);
-    moveTo(view, document, options, options.time);
     if (options.technique == kReferenceTechnique) {
         if (options.frames > 1) throw UsageError("render --frames: not of the reference");
+        moveTo(view, document, options, options.time);
         traceReference(document, view, options.trace, options.output, json);
         return;
     }

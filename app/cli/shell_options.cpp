@@ -95,7 +95,8 @@ void useShellOptions(View& view, const ShellOptions& options, float skinSize) {
     ShellRecipe recipe = options.recipe;
     if (recipe.from == From::hairs) return;
     const bool over = options.coats != "under", under = options.coats != "over";
-    if ((over && view.over != DrawnAs::shells) || (under && view.under != DrawnAs::shells))
+    const auto layered = [](DrawnAs as) { return as == DrawnAs::shells || as == DrawnAs::fins; };
+    if ((over && !layered(view.over)) || (under && !layered(view.under)))
         throw UsageError(std::string("render ") + nameOf(recipe.from) +
                          ": needs a --technique of shells");
     expectRising("render --shell-clamp", options.clamp);

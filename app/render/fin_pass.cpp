@@ -1,7 +1,6 @@
 // fin_pass.cpp -- fins: fur on the edges of the skin near the silhouette, of the hair of shells.
 #include "app/render/fin_pass.h"
 
-#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -37,21 +36,18 @@ void FinPass::updateEdges(const std::shared_ptr<const Skin>& atRest) {
     fins_.resize(sizeof(FinDraw) + 2 * edges.size() * sizeof(Fin));
 }
 
-void FinPass::draw(const Mirror& mirror, const std::shared_ptr<const Skin>& atRest, uint coats,
-                   const Canvas& canvas) {
+void FinPass::draw(const std::shared_ptr<const Skin>& atRest, uint coats, const Canvas& canvas) {
     updateEdges(atRest);
     const FinDraw none;
     fins_.write(0, std::span<const FinDraw>(&none, 1));
     if (edgeCount_ == 0) return;
-    mirror.bind();
     edges_.bindStorage(binding::edges);
     fins_.bindStorage(binding::fins);
     glBindTextureUnit(binding::skinDepth, canvas.skinDepth.name());
     choose_.use();
     glUniform1ui(0, coats);
     glUniform1ui(1, edgeCount_);
-    const uint groups = (edgeCount_ + 63) / 64;
-    glDispatchCompute(std::min(groups, 65535u), (groups + 65534u) / 65535u, 1);
+    gl::dispatch((edgeCount_ + 63) / 64);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 
     glBindFramebuffer(GL_FRAMEBUFFER, canvas.target.name());

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "app/render/canvas.h"
-#include "app/render/mirror.h"
 #include "app/render/program.h"
+#include "core/skin.h"
 
 namespace pelage {
 
@@ -16,9 +16,8 @@ public:
     // Draws the fins of these coats before and behind what is in a canvas whose skin's depth is
     // kept. Needs what ShellPass::draw has bound. An edge whose normal is at right angles to the
     // view has a fin of all hairs near it; the further from that the fewer, down to none at 70
-    // degrees.
-    void draw(const Mirror& mirror, const std::shared_ptr<const Skin>& atRest, uint coats,
-              const Canvas& canvas);
+    // degrees; of short edges fewer have fins, which are longer.
+    void draw(const std::shared_ptr<const Skin>& atRest, uint coats, const Canvas& canvas);
 
     uint count() const;  // of the last draw; waits for it
     std::size_t bytes() const { return edges_.bytes() + fins_.bytes(); }

@@ -70,7 +70,8 @@ enum Texture : unsigned {
     shellTile = 6,
     skinFound = 7,
     skinIndices = 8,
-    hairDepth = 8,  // never with skinIndices
+    shellSkinDepth = 9,
+    hairDepth = 10,
     shellPicture = 12
 };
 }  // namespace binding

@@ -119,6 +119,15 @@ inline Texture makeTexture(const Buffer& buffer, GLenum format) {
     return Texture(name);
 }
 
+// So many groups or a few more, of the compute shader in use, in as many rows as they need.
+inline void dispatch(std::size_t groups) {
+    constexpr std::size_t kMost = 65535;  // least value of GL_MAX_COMPUTE_WORK_GROUP_COUNT
+    const std::size_t wide = groups < kMost ? groups : kMost;
+    if (groups > 0)
+        glDispatchCompute(static_cast<GLuint>(wide),
+                          static_cast<GLuint>((groups + wide - 1) / wide), 1);
+}
+
 inline Framebuffer makeFramebuffer(const Texture& color, const Texture* depth = nullptr) {
     GLuint name = 0;
     glCreateFramebuffers(1, &name);

@@ -94,7 +94,7 @@ void Mirror::uploadSkin(const Skin& skin) {
     materials_.upload(view(colors.materials));
     parts_ = partsOf(source, colors);
     fine_.patches = makePatches(skin);
-    fine_.indices.upload(view(inOrder(source.triangles, fine_.patches.order)));
+    fine_.upload(inOrder(source.triangles, fine_.patches.order));
     coarse_.clear();
     making_.reset();
     triangles_.upload(view(trianglesWithMaterial(skin, parts_)));
@@ -206,10 +206,15 @@ void Mirror::bind() const {
     glBindTextureUnit(binding::baseColors, baseColors_.name());
 }
 
+void Mirror::Surface::upload(const std::vector<uvec3>& triangles) {
+    indices.upload(view(triangles));
+    rows = gl::makeTexture(indices, GL_R32UI);
+}
+
 void Mirror::keep(int level, SkinLevel made) {
     Surface& surface = coarse_[level];
     surface.patches = std::move(made.patches);
-    surface.indices.upload(view(made.triangles));
+    surface.upload(made.triangles);
 }
 
 const Mirror::Surface& Mirror::surface(const Sight& sight, float deviation, bool waits) {

@@ -43,6 +43,8 @@ public:
     struct Surface {
         Patches patches;
         gl::Buffer indices;
+        gl::Texture rows;  // the same as texels
+        void upload(const std::vector<uvec3>& triangles);
     };
     const Surface& surface() const { return fine_; }
     // Where edges may be off by `deviation` pixels. Levels are made when they are first needed:

@@ -2,6 +2,8 @@
 // rays through the fur begin and end on.
 #include "app/render/shell_ground.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
@@ -37,7 +39,7 @@ mat3 axesAt(const Skin& skin, uint v) {
     return {t, n, glm::cross(t, n)};
 }
 
-RestVertex restOf(const Skin& shown, const Skin& atRest, uint v) {
+RestVertex restVertex(const Skin& shown, const Skin& atRest, uint v) {
     RestVertex rest;
     rest.position = atRest.vertices[v].position;
     if (&shown == &atRest) return rest;
@@ -54,15 +56,6 @@ ShellGround::ShellGround()
     rodTable_.upload(std::span(rodTable(), kRodNodes * kRodNodes * kRodTexels));
 }
 
-const gl::Texture& ShellGround::Indices::update(const gl::Buffer& buffer) {
-    if (std::exchange(of, buffer.name()) != buffer.name()) rows = gl::makeTexture(buffer, GL_R32UI);
-    return rows;
-}
-
-const gl::Texture& ShellGround::indicesOf(const Mirror::Surface& surface) {
-    return &surface == furSurface_ ? fur_.rows : other_.update(surface.indices);
-}
-
 void ShellGround::update(Mirror& mirror, const Document& document, uint coats, float seconds,
                          bool waits) {
     const Fur& fur = document.fur;
@@ -71,7 +64,7 @@ void ShellGround::update(Mirror& mirror, const Document& document, uint coats, f
     const float usual = inSteps(relative * mirror.usualHair());
     furSurface_ = &mirror.surfaceWithin(kMissed * usual, waits);
     updateVertices(mirror, document.skin);
-    fur_.update(furSurface_->indices);
+    updateRest(mirror);
     updateBends(mirror, kSmoothed * usual);
     findCurves(mirror,
                {shown_, document.groom, fur, coats, fur.wind > 0.0f ? seconds : 0.0f, smoothed_});
@@ -87,8 +80,16 @@ void ShellGround::updateVertices(const Mirror& mirror, const std::shared_ptr<con
     vertexRows_ = gl::makeTexture(vertices_, GL_RGBA32F);
     drawnRows_ = gl::makeTexture(drawn_, GL_RGBA32F);
     cornerRows_ = gl::makeTexture(mirror.corners(), GL_RGBA32UI);
-    fur_ = {};
-    other_ = {};
+}
+
+void ShellGround::updateRest(const Mirror& mirror) {
+    if (mirror.shown() == restOf_) return;
+    restOf_ = mirror.shown();
+    std::vector<RestVertex> rest(restOf_->vertices.size());
+    tbb::parallel_for(std::size_t{0}, rest.size(), [&](std::size_t v) {
+        rest[v] = restVertex(*restOf_, *atRest_, static_cast<uint>(v));
+    });
+    rest_.upload(std::span<const RestVertex>(rest));
 }
 
 void ShellGround::updateBends(const Mirror& mirror, float deviation) {
@@ -98,13 +99,8 @@ void ShellGround::updateBends(const Mirror& mirror, float deviation) {
     const std::vector<vec3> normals = smoothNormals(*shown_, deviation);
     const std::vector<Curvature> curvatures = curvaturesOf(*shown_, normals);
     std::vector<Bend> bends(normals.size());
-    std::vector<RestVertex> rest(normals.size());
-    for (uint v = 0; v < normals.size(); ++v) {
-        bends[v] = {normals[v], 0.0f, curvatures[v]};
-        rest[v] = restOf(*shown_, *atRest_, v);
-    }
+    for (uint v = 0; v < normals.size(); ++v) bends[v] = {normals[v], 0.0f, curvatures[v]};
     bends_.upload(std::span<const Bend>(bends));
-    rest_.upload(std::span<const RestVertex>(rest));
 }
 
 void ShellGround::findCurves(const Mirror& mirror, CurveKey key) {
@@ -118,8 +114,7 @@ void ShellGround::findCurves(const Mirror& mirror, CurveKey key) {
     vertices_.bindStorage(binding::shellVertices);
     rodTable_.bindStorage(binding::rodTable);
     drawn_.bindStorage(binding::shellCorners);
-    const auto groups = static_cast<uint>((mirror.skin().vertices.size() + 63) / 64);
-    if (groups > 0) glDispatchCompute(std::min(groups, 65535u), (groups + 65534u) / 65535u, 1);
+    gl::dispatch((mirror.skin().vertices.size() + 63) / 64);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 

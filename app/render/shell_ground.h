@@ -19,13 +19,9 @@ public:
     // for Mirror::surface.
     void update(Mirror& mirror, const Document& document, uint coats, float seconds, bool waits);
 
-    // Triangles that miss the skin by a small part of the length of its hair: what layers, and the
-    // surface over the fur, are made of.
+    // Triangles that miss the skin by a small part of the length of its usual hair: what the
+    // surface over the fur is made of.
     const Mirror::Surface& furSurface() const { return *furSurface_; }
-    // Which corners the triangles of a surface have, as a texture; of furSurface(), or of another
-    // one of the mirror.
-    const gl::Texture& furIndices() const { return fur_.rows; }
-    const gl::Texture& indicesOf(const Mirror::Surface& surface);
     const gl::Texture& vertices() const { return vertexRows_; }  // rows of a ShellVertex
     const gl::Texture& drawn() const { return drawnRows_; }      // rows of a ShellCorner
     const gl::Texture& corners() const { return cornerRows_; }   // a Corner each
@@ -40,21 +36,17 @@ private:
         float seconds, smoothed;
         bool operator==(const CurveKey&) const = default;
     };
-    struct Indices {
-        GLuint of = 0;  // a buffer
-        gl::Texture rows;
-        const gl::Texture& update(const gl::Buffer& buffer);
-    };
     void updateVertices(const Mirror& mirror, const std::shared_ptr<const Skin>& atRest);
+    void updateRest(const Mirror& mirror);
     void updateBends(const Mirror& mirror, float deviation);
     void findCurves(const Mirror& mirror, CurveKey key);
 
     Program curves_, rodCurves_;
     gl::Buffer vertices_, drawn_, rest_, bends_, rodTable_;
     gl::Texture vertexRows_, drawnRows_, cornerRows_;
-    Indices fur_, other_;
     const Mirror::Surface* furSurface_ = nullptr;
     std::shared_ptr<const Skin> atRest_;  // whose vertices these are
+    std::shared_ptr<const Skin> restOf_;  // from which to rest its vertices are turned
     std::shared_ptr<const Skin> shown_;   // whose bends are
     float smoothed_ = 0.0f;               // m, standard deviation
     std::optional<CurveKey> curvesOf_;

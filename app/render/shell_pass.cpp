@@ -77,14 +77,14 @@ void ShellPass::find(const Mirror& mirror, const Program& program, const Mirror:
 }
 
 // Only the pixels behind which something was found.
-void ShellPass::march(const Program& program, const Peel& peel, const gl::Texture& indices,
+void ShellPass::march(const Program& program, const Peel& peel, const Mirror::Surface& surface,
                       const Canvas& canvas) const {
     const vec4 none(0.0f);
     glBindFramebuffer(GL_FRAMEBUFFER, peel.march.name());
     glClearBufferfv(GL_COLOR, 0, &none.x);
     glBindTextureUnit(binding::found, peel.found.name());
     glBindTextureUnit(binding::skinFound, visible_.found.name());
-    glBindTextureUnit(binding::foundIndices, indices.name());
+    glBindTextureUnit(binding::foundIndices, surface.rows.name());
     program.use();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_NOTEQUAL);
@@ -129,8 +129,8 @@ void ShellPass::drawMarched(const Mirror& mirror, const Mirror::Surface& skin, c
     glClearTexImage(seen_.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
     glBindImageTexture(0, seen_.name(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R8UI);
     glBindTextureUnit(binding::skinDepth, canvas.depth.name());
-    const gl::Texture& skinIndices = ground_.indicesOf(skin);
-    glBindTextureUnit(binding::skinIndices, skinIndices.name());
+    glBindTextureUnit(binding::shellSkinDepth, canvas.skinDepth.name());
+    glBindTextureUnit(binding::skinIndices, skin.rows.name());
     glClearNamedFramebufferfv(peels_[1].target.name(), GL_DEPTH, 0, &nearest);
     find(mirror, skin_, skin, visible_, peels_[1]);
     // The driver looks whether anything was found, so that nothing waits for the answer.
@@ -144,11 +144,11 @@ void ShellPass::drawMarched(const Mirror& mirror, const Mirror::Surface& skin, c
         glEndQuery(GL_ANY_SAMPLES_PASSED);
         if (i > 0) glEndConditionalRender();
         glBeginConditionalRender(query, GL_QUERY_WAIT);
-        march(programs.fromOver, peel, ground_.furIndices(), canvas);
+        march(programs.fromOver, peel, ground_.furSurface(), canvas);
         glEndConditionalRender();
     }
     leaveOutSeen();
-    march(programs.fromSkin, visible_, skinIndices, canvas);
+    march(programs.fromSkin, visible_, skin, canvas);
 }
 
 void ShellPass::leaveOutSeen() const {
@@ -163,9 +163,11 @@ void ShellPass::leaveOutSeen() const {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
+// Of the skin as it is: what is there to compare with shares no surface with what it is compared
+// to.
 void ShellPass::drawLayer(const Mirror& mirror, const Program& program, float t) const {
     glProgramUniform1f(program.name(), 2, t);
-    const Mirror::Surface& surface = ground_.furSurface();
+    const Mirror::Surface& surface = mirror.surface();
     drawSurface(cornerArray_, mirror, surface, allOf(surface.patches), false,
                 [&](const Mirror::Part&) -> const Program& { return program; });
 }
@@ -204,10 +206,10 @@ void ShellPass::drawLayers(const Mirror& mirror, uint coats, const View& view) {
     }
 }
 
-void ShellPass::drawFins(const Mirror& mirror, const std::shared_ptr<const Skin>& atRest,
-                         uint coats, const Canvas& canvas) {
+void ShellPass::drawFins(const std::shared_ptr<const Skin>& atRest, uint coats,
+                         const Canvas& canvas) {
     if (!fins_) fins_.emplace();
-    fins_->draw(mirror, atRest, coats, canvas);
+    fins_->draw(atRest, coats, canvas);
     finned_ = true;
 }
 
@@ -251,7 +253,7 @@ void ShellPass::draw(Mirror& mirror, const Mirror::Surface& skin, const Document
         else
             drawMarched(mirror, skin, canvas, definesFor(view));
         const uint finned = data.coats & finnedOf(view);
-        if (finned != 0) drawFins(mirror, document.skin, finned, canvas);
+        if (finned != 0) drawFins(document.skin, finned, canvas);
     }
     // A photograph shows all of a fur.
     if (mapped == 3u && view.maps[0] == view.maps[1] && view.maps[0].texture->photo) mapped = 1u;

@@ -48,7 +48,7 @@ private:
         Program fromOver, fromSkin;
     };
     const March& marchFor(std::vector<std::string> defines);
-    void march(const Program& program, const Peel& peel, const gl::Texture& indices,
+    void march(const Program& program, const Peel& peel, const Mirror::Surface& surface,
                const Canvas& canvas) const;
     void drawMarched(const Mirror& mirror, const Mirror::Surface& skin, const Canvas& canvas,
                      const std::vector<std::string>& defines);
@@ -56,8 +56,7 @@ private:
     void drawMap(const Mirror& mirror, const ShellSource& source, uint coat);
     void drawLayer(const Mirror& mirror, const Program& program, float t) const;
     void drawLayers(const Mirror& mirror, uint coats, const View& view);
-    void drawFins(const Mirror& mirror, const std::shared_ptr<const Skin>& atRest, uint coats,
-                  const Canvas& canvas);
+    void drawFins(const std::shared_ptr<const Skin>& atRest, uint coats, const Canvas& canvas);
 
     ShellGround ground_;
     Program over_, skin_, show_, seenOut_;

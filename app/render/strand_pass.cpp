@@ -13,13 +13,6 @@
 namespace pelage {
 namespace {
 
-constexpr uint kMostGroups = 65535;  // least value of GL_MAX_COMPUTE_WORK_GROUP_COUNT
-
-void dispatch(uint groups) {
-    const uint wide = std::min(groups, kMostGroups);
-    if (groups > 0) glDispatchCompute(wide, (groups + wide - 1) / wide, 1);
-}
-
 // Keeps some room, so that the buffer is not made anew in every frame of a moving view.
 void reserve(gl::Buffer& buffer, std::size_t bytes) {
     if (buffer.bytes() < bytes || buffer.bytes() == 0) buffer.resize(bytes * 3 / 2);
@@ -96,7 +89,7 @@ SkinDepth StrandPass::begin(const gl::Texture& skinDepth, const gl::Buffer& fram
     glBindTextureUnit(binding::skinDepth, skinDepth.name());
     keyProgram_.use();
     glUniform4i(0, lower.x, lower.y, window.x, window.y);
-    dispatch(static_cast<uint>((strips + 63) / 64));
+    gl::dispatch(static_cast<uint>((strips + 63) / 64));
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     std::vector<float> farthest(strips);
     glGetNamedBufferSubData(strips_.name(), 0, static_cast<GLsizeiptr>(strips * sizeof(float)),
@@ -138,7 +131,7 @@ void StrandPass::draw(const Mirror& mirror, const Fur& fur, uint coats, const St
         glUniform1ui(0, parts[i].coats);
         glUniform2ui(1, parts[i].begin, parts[i].end);
         glUniform2ui(2, i, parts[i].seen);
-        dispatch((parts[i].end - parts[i].begin + 31) / 32);
+        gl::dispatch((parts[i].end - parts[i].begin + 31) / 32);
     }
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
     for (uint i = 0; i < parts.size(); ++i) {

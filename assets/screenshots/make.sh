@@ -51,7 +51,7 @@ done
 montage ${font:+-font "$font"} -label '%t' "${files[@]}" -tile 6x -geometry 240x200+2+2 \
     -background white -quality 85 presets.jpg
 
-# The same fur as strands and in shells: close, as framed, and far.
+# The same fur as strands and in shells with fins: close, as framed, and far.
 tiles=()
 pair() {
     local name=$1 framed technique factor
@@ -59,7 +59,7 @@ pair() {
     framed=$("$program" render --size 32x32 --repeat 1 -o "$sheet/framed.png" --json "$@" |
         grep -o '"distance":[0-9.]*' | cut -d: -f2)
     for factor in 0.45 1 2.5; do
-        for technique in strands shells; do
+        for technique in strands shells-fins; do
             "$program" render --size 300x300 --samples 32 --repeat 1 --yaw 50 --pitch 12 \
                 --distance "$(awk "BEGIN { print $framed * $factor }")" --over "$technique" \
                 --under "$technique" -o "$sheet/$name-$factor-$technique.png" "$@" >"$sheet/log"
